@@ -1,0 +1,7 @@
+// hatbox: area lights sampled uniformly in solid angle, for whole arrays of shading points. This brings all of it.
+#pragma once
+
+#include <hatbox/arrays.h>
+#include <hatbox/disk.h>
+#include <hatbox/isa.h>
+#include <hatbox/lights.h>

@@ -1,0 +1,26 @@
+// Which instruction set the kernels use. The best one of this CPU is picked at the first call; the environment
+// variable HATBOX_ISA (scalar, sse4_2, avx2, avx512, neon) or `force_isa` overrides that. All of them give the
+// same bits, but for rare last-place differences of sse4_2, which has no fused multiply-add.
+#pragma once
+
+#include <span>
+
+namespace hatbox {
+
+enum class Isa { scalar, sse4_2, avx2, avx512, neon };
+
+/// The instruction set that calls starting now will use. Throws std::invalid_argument if HATBOX_ISA names one that is
+/// unknown or that this CPU or build does not have; the message lists those there are. Thread-safe.
+Isa active_isa();
+
+/// Those this CPU and this build have, slowest first. Thread-safe.
+std::span<const Isa> available_isas();
+
+/// Uses `isa` from now on. Throws std::invalid_argument if it is not available. Thread-safe at any time: a call in
+/// flight keeps the kernels it began with.
+void force_isa(Isa isa);
+
+/// "scalar", "sse4_2", "avx2", "avx512" or "neon"; "unknown" for anything else.
+const char* name(Isa isa) noexcept;
+
+}  // namespace hatbox

@@ -1,0 +1,101 @@
+// DiskMap::area: uniform over the disk's area by the concentric map (Shirley and Chiu 1997). Nothing else is cheaper, so
+// this is the yardstick of the other maps; it is written to cost as little as it can.
+#pragma once
+
+#include "disk_hit.h"
+#include "disk_sample.h"
+
+namespace hatbox::HATBOX_ISA {
+namespace {
+
+template <class V>
+class AreaMap {
+ public:
+  AreaMap(const Constants<V>& light, V x, V y, V z) : light_(light), point_{x, y, z} {
+    for (int i = 0; i < 3; ++i) l_[i] = (V(light.center[i]) - point_[i]) * V(light.inverse_radius);
+    height_ = fma(l_[0], V(light.axes[2][0]), fma(l_[1], V(light.axes[2][1]), l_[2] * V(light.axes[2][2])));
+    projected_area_ = constant<V>(pi) * abs(height_);
+  }
+
+  DiskSample<V> sample(V u, V v) const {
+    const Polar<V> polar = concentric(clamp_variate(u), clamp_variate(v));
+    const Place<V> place = {polar.radius * polar.angle.cos, polar.radius * polar.angle.sin};
+    const Ray ray = to(place);
+    DiskSample<V> out;
+    for (int i = 0; i < 3; ++i) out.direction[i] = ray.l[i] * ray.inverse_distance;
+    out.distance = ray.distance * V(light_.radius);
+    out.pdf = ray.pdf;
+    out.cosine = -height_ * ray.inverse_distance;
+    out.place = place;
+    out.valid = honest(is_finite(u + v), out.pdf);
+    return out;
+  }
+
+  V pdf_of_place(const Place<V>& place) const {
+    const V density = to(place).pdf;
+    return select(honest(on_disk(place.s, place.t), density), density, V(0));
+  }
+
+  V pdf_of_direction(const V (&direction)[3]) const {
+    const Hit hit = intersect(direction);
+    const V density = hit.distance * hit.distance / projected_area_ * hit.distance;
+    return select(honest(hit.inside, density), density, V(0));
+  }
+
+  Square<V> invert(const V (&direction)[3]) const {
+    const Hit hit = intersect(direction);
+    const V r = sqrt(fma(hit.place.s, hit.place.s, hit.place.t * hit.place.t));
+    const V inverse_r = V(1) / select(r > V(0), r, V(1));
+    const SinCos<V> angle = {hit.place.t * inverse_r, select(r > V(0), hit.place.s * inverse_r, V(1))};
+    const Square<V> square = concentric_inverse(Polar<V>{min(r, V(1)), angle});
+    return {select(hit.inside, clamp_variate(square.u), V(-1)), select(hit.inside, clamp_variate(square.v), V(-1))};
+  }
+
+ private:
+  struct Ray {
+    V l[3];  // from the shading point to the place, in radii
+    V distance, inverse_distance;
+    V pdf;
+  };
+  struct Hit {
+    V distance;  // in radii
+    Place<V> place;
+    Mask<V> inside;
+  };
+
+  Ray to(const Place<V>& place) const {
+    Ray ray;
+    for (int i = 0; i < 3; ++i) {
+      ray.l[i] = fma(V(light_.axes[0][i]), place.s, fma(V(light_.axes[1][i]), place.t, l_[i]));
+    }
+    const V distance2 = fma(ray.l[0], ray.l[0], fma(ray.l[1], ray.l[1], ray.l[2] * ray.l[2]));
+    ray.distance = sqrt(distance2);
+    const V shared = V(1) / (ray.distance * projected_area_);  // one division serves both that follow
+    ray.inverse_distance = shared * projected_area_;
+    ray.pdf = distance2 * (distance2 * shared);
+    return ray;
+  }
+
+  Hit intersect(const V (&direction)[3]) const {
+    const EllipseHit<V> ellipse = ellipse_hit(light_, disk_cone(light_, point_[0], point_[1], point_[2]), direction);
+    Hit hit;
+    hit.distance = height_ / ellipse.along[2];
+    V offset[2];
+    for (int i = 0; i < 2; ++i) {
+      const Scalar<V>(&axis)[3] = light_.axes[i];
+      offset[i] = fma(l_[0], V(axis[0]), fma(l_[1], V(axis[1]), l_[2] * V(axis[2])));
+    }
+    hit.place = {fma(hit.distance, ellipse.along[0], -offset[0]), fma(hit.distance, ellipse.along[1], -offset[1])};
+    hit.inside = ellipse.inside && (hit.distance > V(0)) && is_finite(hit.distance);
+    return hit;
+  }
+
+  const Constants<V>& light_;
+  V point_[3];
+  V l_[3];            // from the shading point to the disk's centre, in radii
+  V height_;          // signed, along the normal
+  V projected_area_;  // π|h|: over distance³ it is the solid angle of the disk's area, were all of it at that place
+};
+
+}  // namespace
+}  // namespace hatbox::HATBOX_ISA

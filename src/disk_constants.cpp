@@ -1,0 +1,56 @@
+#include "disk_constants.h"
+
+#include <cmath>
+
+namespace hatbox {
+namespace {
+
+struct Double3 {
+  double x, y, z;
+};
+
+struct Frame {
+  Double3 u, v, n;
+};
+
+/// A right-handed frame about n, without branches that would make it jump (Duff et al. 2017, "Building an Orthonormal
+/// Basis, Revisited"). For +z it is x, y, z.
+Frame frame_of(Double3 n) {
+  const double sign = std::copysign(1.0, n.z);
+  const double a = -1.0 / (sign + n.z);
+  const double b = n.x * n.y * a;
+  return {{1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+}
+
+}  // namespace
+
+template <class T>
+DiskConstantsOf<T> disk_constants(const Disk& light) {
+  const double nx = light.normal.x, ny = light.normal.y, nz = light.normal.z;
+  const double length = std::sqrt(nx * nx + ny * ny + nz * nz);
+  const Frame frame = frame_of({nx / length, ny / length, nz / length});
+  const double axes[3][3] = {{frame.u.x, frame.u.y, frame.u.z},
+                             {frame.v.x, frame.v.y, frame.v.z},
+                             {frame.n.x, frame.n.y, frame.n.z}};
+
+  DiskConstantsOf<T> constants = {};
+  constants.center[0] = light.center.x;
+  constants.center[1] = light.center.y;
+  constants.center[2] = light.center.z;
+  for (int row = 0; row < 3; ++row) {
+    for (int i = 0; i < 3; ++i) {
+      const double scaled = axes[row][i] / double{light.radius};
+      constants.axes[row][i] = static_cast<T>(axes[row][i]);
+      constants.axes_hi[row][i] = static_cast<T>(scaled);
+      constants.axes_lo[row][i] = static_cast<T>(scaled - double{constants.axes_hi[row][i]});
+    }
+  }
+  constants.radius = light.radius;
+  constants.inverse_radius = static_cast<T>(1.0 / double{light.radius});
+  return constants;
+}
+
+template DiskConstantsOf<float> disk_constants(const Disk& light);
+template DiskConstantsOf<double> disk_constants(const Disk& light);
+
+}  // namespace hatbox

@@ -1,0 +1,65 @@
+// The border between the library and its kernels: plain pointers, sizes and floats, no standard library types.
+// kernels.cpp is compiled once per instruction set and exports one KernelTable each; dispatch.cpp picks one.
+#pragma once
+
+#include <cstddef>
+
+namespace hatbox {
+
+/// A disk made ready for the kernels, once a call and in double (disk_constants.h). T is float; double for the tests
+/// that run the kernels' text in double.
+template <class T>
+struct DiskConstantsOf {
+  T center[3];      // world units
+  T axes_hi[3][3];  // rows axis_u, axis_v, normal, each unit vector / radius, rounded to T …
+  T axes_lo[3][3];  // … and what the rounding left
+  T axes[3][3];     // the unit vectors, for the way back to world space
+  T radius;
+  T inverse_radius;
+};
+using DiskConstants = DiskConstantsOf<float>;
+
+/// One call of `sample`: n points, k samples each, outputs that may be null.
+struct DiskSampleJob {
+  DiskConstants light;
+  const float* point[3];
+  const float* u;
+  const float* v;
+  float* direction[3];
+  float* distance;
+  float* pdf;
+  float* place[2];
+  float* cosine;
+  std::size_t points;
+  std::size_t samples_per_point;
+};
+
+/// One call of `pdf`, `invert` or `solid_angle`: k queries a point (directions or places) and up to two outputs.
+struct DiskQueryJob {
+  DiskConstants light;
+  const float* point[3];
+  const float* query[3];  // direction x, y, z or place s, t; unused for solid_angle
+  float* out[2];          // pdf; u, v; solid angle
+  std::size_t points;
+  std::size_t queries_per_point;
+};
+
+using DiskSampleKernel = void (*)(const DiskSampleJob&, std::size_t begin, std::size_t end);
+using DiskQueryKernel = void (*)(const DiskQueryJob&, std::size_t begin, std::size_t end);
+
+inline constexpr std::size_t disk_map_count = 3;  // indexed by DiskMap
+
+/// Everything one instruction set has to offer. Each kernel does the points [begin, end) of its job.
+struct KernelTable {
+  const char* isa;    // what the object was compiled for: "scalar", "sse4_2", …
+  std::size_t lanes;  // floats in a packet
+  DiskSampleKernel disk_sample[disk_map_count];
+  DiskQueryKernel disk_pdf_of_direction[disk_map_count];
+  DiskQueryKernel disk_pdf_of_place[disk_map_count];
+  DiskQueryKernel disk_invert[disk_map_count];
+  DiskQueryKernel disk_solid_angle;
+  // residual[i] = x[i]·y[i] − round(x[i]·y[i]): how the tests see that `fma` is fused. n is a multiple of lanes.
+  void (*product_residual)(const float* x, const float* y, float* residual, std::size_t n);
+};
+
+}  // namespace hatbox

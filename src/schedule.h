@@ -1,0 +1,43 @@
+// How a job is spread over threads: in the caller's, or in blocks of points by TBB.
+#pragma once
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace hatbox {
+
+struct Schedule {
+  bool parallel = false;
+  std::size_t grain = 0;  // points a block at least; 0: chosen here
+};
+
+/// Points a block, for k samples each: about what fits the second-level cache with its inputs and outputs, and a
+/// multiple of the widest packet, so that only the job's last packet is a partial one.
+inline std::size_t block_size(std::size_t grain, std::size_t per_point) {
+  constexpr std::size_t widest_packet = 16, samples_per_block = 4096;
+  const std::size_t points = grain != 0 ? grain : samples_per_block / std::max<std::size_t>(per_point, 1);
+  return std::max<std::size_t>(points / widest_packet, 1) * widest_packet;
+}
+
+/// Calls kernel(job, begin, end) over all of the points. In parallel that is done in the caller's TBB arena, isolated
+/// from its other tasks; a job of one block stays in the caller's thread.
+template <class Job>
+void run(const Schedule& schedule, std::size_t points, std::size_t per_point,
+         void (*kernel)(const Job&, std::size_t, std::size_t), const Job& job) {
+  const std::size_t block = block_size(schedule.grain, per_point);
+  if (!schedule.parallel || points <= block) {
+    kernel(job, 0, points);
+    return;
+  }
+  const std::size_t blocks = (points + block - 1) / block;
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t i) {
+      kernel(job, i * block, std::min(points, (i + 1) * block));
+    });
+  });
+}
+
+}  // namespace hatbox

@@ -1,0 +1,118 @@
+// The vector vocabulary of the kernels: one small set of free functions over a value type V, which is
+// xsimd::batch<float, Arch> in the kernels of an instruction set, float in those of Isa::scalar, and double in tests.
+// Kernels are written in these alone, so one text serves all. Every operation here is correctly rounded (IEEE 754)
+// on every instruction set, which is why they all return the same bits; see fma.h for the one exception.
+#pragma once
+
+#ifndef HATBOX_ISA
+#error "define HATBOX_ISA, the name of the instruction set this is compiled for"
+#endif
+
+#ifdef HATBOX_ISA_ARCH
+#define XSIMD_DEFAULT_ARCH xsimd::unsupported  // a bare batch<float> must not compile (xsimd >= 9; 8.1 ignores it)
+#include <xsimd/xsimd.hpp>
+#endif
+
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+namespace hatbox::HATBOX_ISA {
+namespace {
+
+// What a vector type is made of: its scalar, its mask and its number of lanes.
+template <class V>
+struct Lanes {
+  using Scalar = V;
+  using Mask = bool;
+  static constexpr std::size_t count = 1;
+};
+
+template <class V>
+using Mask = typename Lanes<V>::Mask;
+template <class V>
+using Scalar = typename Lanes<V>::Scalar;
+
+template <class V>
+inline V constant(double value) {
+  return V(static_cast<Scalar<V>>(value));
+}
+
+template <class V>
+inline constexpr double infinity = std::numeric_limits<Scalar<V>>::infinity();
+template <class V>
+inline constexpr double smallest_normal = std::numeric_limits<Scalar<V>>::min();
+template <class V>
+inline constexpr double last_below_one = 1.0 - 0.5 * std::numeric_limits<Scalar<V>>::epsilon();
+
+// Scalars: float for Isa::scalar, double for the tests.
+template <class T>
+using IfScalar = std::enable_if_t<std::is_floating_point_v<T>, T>;
+
+template <class T>
+inline IfScalar<T> select(bool mask, T yes, T no) {
+  return mask ? yes : no;
+}
+template <class T>
+inline IfScalar<T> sqrt(T x) {
+  return std::sqrt(x);
+}
+template <class T>
+inline IfScalar<T> abs(T x) {
+  return std::fabs(x);
+}
+template <class T>
+inline IfScalar<T> min(T x, T y) {  // y where either is NaN
+  return x < y ? x : y;
+}
+template <class T>
+inline IfScalar<T> max(T x, T y) {
+  return x > y ? x : y;
+}
+template <class T>
+inline IfScalar<T> load(const T* from, T) {
+  return *from;
+}
+template <class T, class = IfScalar<T>>
+inline void store(T* to, T x) {
+  *to = x;
+}
+#ifdef HATBOX_ISA_ARCH
+// For the one vector type of this object. No templates, so that they win over xsimd's functions of the same name.
+using Packet = xsimd::batch<float, HATBOX_ISA_ARCH>;
+using PacketMask = Packet::batch_bool_type;
+
+template <>
+struct Lanes<Packet> {
+  using Scalar = float;
+  using Mask = PacketMask;
+  static constexpr std::size_t count = Packet::size;
+};
+
+inline Packet select(const PacketMask& mask, const Packet& yes, const Packet& no) {
+#if defined(__AVX512F__) || defined(__aarch64__)
+  return xsimd::select(mask, yes, no);
+#else  // g++ 12 makes four to five micro-operations of a blend with a computed mask; these are three
+  const Packet bits(static_cast<Packet::register_type>(mask));
+  return (bits & yes) | (~bits & no);
+#endif
+}
+inline Packet sqrt(const Packet& x) { return xsimd::sqrt(x); }
+inline Packet abs(const Packet& x) { return xsimd::abs(x); }
+#if defined(__x86_64__)  // minps and maxps are just that: the second operand unless the first is less, or greater
+inline Packet min(const Packet& x, const Packet& y) { return xsimd::min(x, y); }
+inline Packet max(const Packet& x, const Packet& y) { return xsimd::max(x, y); }
+#else
+inline Packet min(const Packet& x, const Packet& y) { return select(x < y, x, y); }
+inline Packet max(const Packet& x, const Packet& y) { return select(x > y, x, y); }
+#endif
+inline Packet load(const float* from, const Packet&) { return Packet::load_unaligned(from); }
+inline void store(float* to, const Packet& x) { x.store_unaligned(to); }
+#else
+using Packet = float;
+#endif
+
+}  // namespace
+}  // namespace hatbox::HATBOX_ISA
