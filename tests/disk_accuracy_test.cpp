@@ -1,0 +1,207 @@
+// How right the numbers are: against golden values, against the double-precision reference, of one instruction set
+// against another, and how uniform the solid-angle maps are.
+#include "golden/disk_golden.h"
+#include "reference/disk_eta_reference.h"
+#include "support/disk_calls.h"
+#include "support/disk_maps.h"
+#include "support/isa_fixture.h"
+#include "support/statistics.h"
+#include "support/workloads.h"
+
+#include <hatbox/hatbox.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+namespace hatbox::test {
+namespace {
+
+using reference::DiskFrame;
+using reference::DiskSample;
+using reference::EtaDisk;
+using reference::Vector;
+
+std::string label(Workload workload, DiskMap map, std::size_t k) {
+  return std::string(name(workload)) + "_" + name(map) + "_k" + std::to_string(k);
+}
+
+DiskSample reference_sample(const Disk& light, DiskMap map, const Vec3& point, float u, float v) {
+  return EtaDisk(DiskFrame<long double>(light), point).sample(map, u, v);
+}
+
+class DiskSolidAngle : public IsaTest {};
+
+TEST_P(DiskSolidAngle, IsGolden) {
+  std::vector<double> errors;
+  for (const GoldenSolidAngle& row : golden_solid_angles) {
+    float got = -1;
+    solid_angle(row.light, {{&row.point.x, 1}, {&row.point.y, 1}, {&row.point.z, 1}}, {&got, 1});
+    const double error = std::abs(got - row.solid_angle);
+    EXPECT_LE(error, 2e-6 * row.solid_angle + 4 * row.conditioning)
+        << "point " << row.point.x << ", " << row.point.y << ", " << row.point.z << ", solid angle " << row.solid_angle;
+    errors.push_back(std::max(0.0, error - 4 * row.conditioning) / row.solid_angle);
+  }
+  report_quantiles("relative_error_beyond_conditioning", errors);
+}
+
+HATBOX_FOR_EVERY_ISA(DiskSolidAngle);
+
+class DiskAccuracy : public DiskTest {};
+
+/// Σ |∂direction/∂xᵢ| ulp(xᵢ) over the coordinates of point, centre and normal, by steps of one ulp.
+double direction_conditioning(Disk light, DiskMap map, Vec3 point, float u, float v) {
+  double sum = 0;
+  for (float* x : {&point.x, &point.y, &point.z, &light.center.x, &light.center.y, &light.center.z, &light.normal.x,
+                   &light.normal.y, &light.normal.z}) {
+    const float here = *x;
+    *x = here + static_cast<float>(ulp(here));
+    const Vector<double> ahead = reference_sample(light, map, point, u, v).direction;
+    *x = here - static_cast<float>(ulp(here));
+    const Vector<double> behind = reference_sample(light, map, point, u, v).direction;
+    *x = here;
+    sum += length(ahead - behind) / 2;
+  }
+  return sum;
+}
+
+/// What a test knows before any kernel runs, made once for all instruction sets.
+struct DirectionCase {
+  PointArrays points;
+  VariateArrays variates;
+  std::vector<Vector<double>> directions;
+};
+
+const DirectionCase& direction_case(Workload workload, DiskMap map, Pose pose, std::size_t k) {
+  static std::map<std::tuple<Workload, DiskMap, Pose, std::size_t>, DirectionCase> cases;
+  DirectionCase& result = cases[{workload, map, pose, k}];
+  if (result.directions.empty()) {
+    const std::size_t n = (workload == Workload::w1 ? 20000 : 3000) / k;
+    result.points = make_points(workload, pose, n);
+    result.variates = make_variates(k * n);
+    for (std::size_t i = 0; i < k * n; ++i) {
+      result.directions.push_back(
+          reference_sample(disk_in(pose), map, result.points[i % n], result.variates.u[i], result.variates.v[i])
+              .direction);
+    }
+  }
+  return result;
+}
+
+/// Angles to the reference; those above the bound less what the inputs' own rounding explains.
+std::vector<double> direction_errors(const DirectionCase& given, DiskMap map, Pose pose, double bound) {
+  SampleArrays got(given.variates.size());
+  sample(disk_in(pose), map, given.points.view(), given.variates.view(), got.view());
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    double error = got.valid(i) ? angle_between(got.direction(i), given.directions[i]) : 1;
+    if (error > bound && got.valid(i)) {
+      const Vec3 point = given.points[i % given.points.size()];
+      error -= 4 * direction_conditioning(disk_in(pose), map, point, given.variates.u[i], given.variates.v[i]);
+    }
+    errors.push_back(std::max(error, 0.0));
+  }
+  return errors;
+}
+
+TEST_P(DiskAccuracy, DirectionsMatchReference) {
+  for (const DiskMap map : all_disk_maps) {
+    for (const Workload workload : all_workloads) {
+      for (const std::size_t k : sample_counts) {
+        constexpr double bound = 4e-6;
+        const auto errors = direction_errors(direction_case(workload, map, pose(), k), map, pose(), bound);
+        report_quantiles("radians_" + label(workload, map, k), errors);
+        if (workload != Workload::w1) continue;
+        EXPECT_LE(quantile(errors, 0.9999), bound) << label(workload, map, k);
+      }
+    }
+  }
+}
+
+std::vector<double> ulp_distances(std::span<const float> a, std::span<const float> b) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < a.size(); ++i) result.push_back(ulp_distance(a[i], b[i]));
+  return result;
+}
+
+std::vector<NamedColumn> scalar_outputs(const Disk& light, DiskMap map, const DiskQueries& queries) {
+  const ForcedIsa scalar(Isa::scalar);
+  return call_everything(light, map, queries);
+}
+
+TEST_P(DiskAccuracy, EveryIsaAgreesWithScalar) {
+  const Disk light = disk_in(pose());
+  for (const Workload workload : all_workloads) {
+    const PointArrays points = make_points(workload, pose(), 3000);
+    for (const DiskMap map : all_disk_maps) {
+      for (const std::size_t k : sample_counts) {
+        const std::string what = label(workload, map, k);
+        const DiskQueries queries = make_queries(light, map, points, k);
+        const auto got = call_everything(light, map, queries);
+        const auto expected = scalar_outputs(light, map, queries);
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+          const bool valid = got[SampleArrays::pdf].values[i] > 0;
+          ASSERT_EQ(valid, expected[SampleArrays::pdf].values[i] > 0) << what << " lane " << i;
+        }
+        std::vector<double> all;
+        for (std::size_t c = 0; c < got.size(); ++c) {
+          const auto distances = ulp_distances(got[c].values, expected[c].values);
+          all.insert(all.end(), distances.begin(), distances.end());
+          if (workload != Workload::w1) continue;
+          EXPECT_LE(quantile(distances, 0.999), 32) << what << " " << got[c].name;
+        }
+        report_quantiles("ulp_" + what, all);
+      }
+    }
+  }
+}
+
+HATBOX_FOR_EVERY_ISA_AND_POSE(DiskAccuracy);
+
+class DiskUniformitySlow : public DiskTest {
+ protected:
+  /// For each point, how far pdf·Ω strays: from one, and between any two of side² samples.
+  std::vector<double> variations(Workload workload, DiskMap map, std::size_t n, std::size_t side) const {
+    const Disk light = disk_in(pose());
+    const PointArrays points = make_points(workload, pose(), n);
+    const VariateArrays variates = make_stratified(n, side);
+    SampleArrays samples(variates.size());
+    std::vector<float> omega(n);
+    sample(light, map, points.view(), variates.view(), samples.view());
+    solid_angle(light, points.view(), omega);
+    std::vector<double> low(n, 1), high(n, 1);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const double product = static_cast<double>(samples.at(SampleArrays::pdf, i)) * static_cast<double>(omega[i % n]);
+      low[i % n] = std::min(low[i % n], product);
+      high[i % n] = std::max(high[i % n], product);
+    }
+    for (std::size_t i = 0; i < n; ++i) high[i] -= low[i];
+    return high;
+  }
+};
+
+TEST_P(DiskUniformitySlow, DensityTimesSolidAngleIsOne) {
+  for (const DiskMap map : {DiskMap::ld_radial, DiskMap::radial}) {
+    constexpr std::size_t sides[] = {1, 16};  // one sample a point, and many that share the set-up
+    for (const std::size_t side : sides) {
+      const std::size_t n = side == 1 ? 50000 : 5000;
+      const auto w1 = variations(Workload::w1, map, n, side);
+      const auto w2 = variations(Workload::w2, map, n, side);
+      const auto w3 = variations(Workload::w3, map, n, side);
+      report_quantiles("variation_" + label(Workload::w1, map, side * side), w1);
+      report_quantiles("variation_" + label(Workload::w2, map, side * side), w2);
+      report_quantiles("variation_" + label(Workload::w3, map, side * side), w3);
+      EXPECT_LE(quantile(w1, 0.999), 1e-4);
+      EXPECT_LE(quantile(w3, 1), 1e-4);
+      EXPECT_LE(quantile(w2, 0.99), 2e-2);
+    }
+  }
+}
+
+HATBOX_FOR_EVERY_ISA_AND_POSE(DiskUniformitySlow);
+
+}  // namespace
+}  // namespace hatbox::test

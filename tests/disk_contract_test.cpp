@@ -1,0 +1,327 @@
+// What the library promises whatever it is given: no bad number, no place outside the disk, bad lanes alone affected,
+// the same bits however the work is split, and errors that name the argument before anything is written.
+#include "support/bits.h"
+#include "support/disk_calls.h"
+#include "support/disk_maps.h"
+#include "support/isa_fixture.h"
+
+#include <hatbox/hatbox.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace hatbox::test {
+namespace {
+
+constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float last_below_one = 0x1.fffffep-1f;
+
+class DiskContract : public DiskTest {
+ protected:
+  Disk light() const { return disk_in(pose()); }
+
+  /// Where shading points may be, and where they had better not: around the disk, then out of all bounds.
+  PointArrays adversarial_points() const {
+    PointArrays points;
+    for (const double x : {0.0, 0.5, 1.0, 2.0, 1 - 1e-7, 1 + 1e-7, 0x1p20, 0x1p-20, 1e-30}) {
+      for (const double z : {0.0, 1e-30, -1e-30, 1e-7, -1e-4, 1.0, 0x1p20, -0x1p-20, 1e18}) {
+        points.push_back(moved(pose(), {x, 0, z}));
+        points.push_back(moved(pose(), {-0.6 * x, 0.8 * x, z}));
+      }
+    }
+    for (const float bad : {nan, infinity, -infinity, std::numeric_limits<float>::max()}) {
+      points.push_back({bad, 0, 1});
+      points.push_back({0, bad, 1});
+      points.push_back({0, 0, bad});
+      points.push_back({bad, bad, bad});
+    }
+    return points;
+  }
+};
+
+void expect_sane(const SampleArrays& samples, std::size_t i) {
+  for (const auto& column : samples.columns) ASSERT_TRUE(std::isfinite(column[i])) << "lane " << i;
+  ASSERT_GE(samples.at(SampleArrays::pdf, i), 0);
+  if (!samples.valid(i)) {
+    for (const auto& column : samples.columns) ASSERT_EQ(column[i], 0) << "lane " << i;
+    return;
+  }
+  ASSERT_NEAR(length(samples.direction(i)), 1, 1e-6) << "lane " << i;
+  ASSERT_GT(samples.at(SampleArrays::distance, i), 0) << "lane " << i;
+  ASSERT_LE(std::abs(samples.at(SampleArrays::cosine, i)), 1.000001f) << "lane " << i;
+  const double s = samples.at(SampleArrays::s, i), t = samples.at(SampleArrays::t, i);
+  ASSERT_LE(std::hypot(s, t), 1 + 1e-5) << "lane " << i;
+}
+
+TEST_P(DiskContract, NoBadNumbersFromBadPlaces) {
+  const PointArrays points = adversarial_points();
+  const std::size_t n = points.size();
+  for (const DiskMap map : all_disk_maps) {
+    for (const float u : {0.0f, 0.3f, 0.5f, last_below_one, 1.0f}) {
+      for (const float v : {0.0f, 0.5f, 0.7f, last_below_one, 1.0f}) {
+        const VariateArrays variates{std::vector<float>(n, u), std::vector<float>(n, v)};
+        SampleArrays samples(n);
+        sample(light(), map, points.view(), variates.view(), samples.view());
+        for (std::size_t i = 0; i < n; ++i) expect_sane(samples, i);
+        DiskQueries queries{.points = points,
+                            .variates = variates,
+                            .x = samples.columns[SampleArrays::x],
+                            .y = samples.columns[SampleArrays::y],
+                            .z = samples.columns[SampleArrays::z],
+                            .s = samples.columns[SampleArrays::s],
+                            .t = samples.columns[SampleArrays::t]};
+        for (const auto& [what, values] : call_everything(light(), map, queries)) {
+          const float least = what == "u" || what == "v" || what.size() <= 2 || what == "cosine" ? -1.000001f : 0.0f;
+          for (const float value : values) ASSERT_TRUE(std::isfinite(value) && value >= least) << what << " " << value;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(DiskContract, NothingIsSampledFromNowhere) {
+  PointArrays points;
+  for (const float bad : {nan, infinity, -infinity}) {
+    points.push_back({bad, 0, 1});
+    points.push_back({0, bad, 1});
+    points.push_back({0, 0, bad});
+  }
+  if (pose() == Pose::canonical) {  // only here do floats hit the plane exactly
+    for (const float x : {0.0f, 0.5f, 1.0f, 2.0f, 1e20f}) points.push_back({x, 0, 0});
+  }
+  for (const DiskMap map : all_disk_maps) {
+    DiskQueries queries = make_queries(light(), map, points, 3);
+    queries.z.assign(queries.size(), -1);
+    for (const auto& [what, values] : call_everything(light(), map, queries)) {
+      for (const float value : values) EXPECT_EQ(value, what == "u" || what == "v" ? -1 : 0) << what;
+    }
+  }
+}
+
+TEST_P(DiskContract, VariatesAreClamped) {
+  const PointArrays points = repeat(moved(pose(), {0.3, 0.4, 0.5}), 6);
+  const std::vector<float> given{1.0f, 7.0f, -0.0f, -3.0f, last_below_one, 0.0f};
+  const std::vector<float> clamped{last_below_one, last_below_one, 0, 0, last_below_one, 0};
+  const std::vector<float> other(6, 0.3f);
+  for (const DiskMap map : all_disk_maps) {
+    for (const bool swapped : {false, true}) {
+      SampleArrays a(6), b(6);
+      sample(light(), map, points.view(), swapped ? Variates{other, given} : Variates{given, other}, a.view());
+      sample(light(), map, points.view(), swapped ? Variates{other, clamped} : Variates{clamped, other}, b.view());
+      for (std::size_t i = 0; i < 6; ++i) EXPECT_TRUE(a.valid(i));
+      for (std::size_t c = 0; c < a.columns.size(); ++c) EXPECT_EQ(first_difference(a.columns[c], b.columns[c]), 6u);
+    }
+  }
+}
+
+/// A lane with a bad point or variate gives 0, and no other lane can tell.
+TEST_P(DiskContract, BadLanesAloneAreAffected) {
+  constexpr std::size_t n = 101;
+  for (const DiskMap map : all_disk_maps) {
+    for (const std::size_t k : sample_counts) {
+      const DiskQueries good = make_queries(light(), map, make_points(Workload::w1, pose(), n), k);
+      DiskQueries spoiled = good;
+      const auto bad_point = [](std::size_t i) { return i % 7 == 3; };
+      const auto bad_variate = [](std::size_t i) { return i % 5 == 2; };
+      for (std::size_t i = 0; i < n; ++i) {
+        constexpr float bad_values[] = {infinity, nan};
+        if (bad_point(i)) spoiled.points.y[i] = bad_values[i % 2];
+      }
+      for (std::size_t i = 0; i < good.size(); ++i) {
+        if (bad_variate(i)) (i % 2 ? spoiled.variates.u : spoiled.variates.v)[i] = i % 3 ? nan : -infinity;
+      }
+      const auto expected = call_everything(light(), map, good);
+      const auto got = call_everything(light(), map, spoiled);
+      for (std::size_t c = 0; c < got.size(); ++c) {
+        const bool sampled = c < SampleArrays::column_count;
+        const bool inverse = got[c].name == "u" || got[c].name == "v";
+        for (std::size_t i = 0; i < got[c].values.size(); ++i) {
+          const bool bad = bad_point(i % n) || (sampled && bad_variate(i));
+          const float want = !bad ? expected[c].values[i] : inverse ? -1.0f : 0.0f;
+          ASSERT_TRUE(same_bits(got[c].values[i], want)) << got[c].name << " lane " << i << " " << got[c].values[i];
+        }
+      }
+    }
+  }
+}
+
+/// No absolute epsilon: a power of two scales the distance and nothing else (but the rounding of the density).
+TEST_P(DiskContract, ScaleDoesNotMatter) {
+  const auto scaled = [](const Vec3& p, float scale) { return Vec3{scale * p.x, scale * p.y, scale * p.z}; };
+  for (const Workload workload : all_workloads) {
+    const PointArrays points = make_points(workload, pose(), 500);
+    const VariateArrays variates = make_variates(points.size());
+    for (const float scale : {0x1p20f, 0x1p-20f}) {
+      PointArrays scaled_points;
+      for (std::size_t i = 0; i < points.size(); ++i) scaled_points.push_back(scaled(points[i], scale));
+      const Disk scaled_light{scaled(light().center, scale), light().normal, scale * light().radius};
+      for (const DiskMap map : all_disk_maps) {
+        SampleArrays here(variates.size()), there(variates.size());
+        sample(light(), map, points.view(), variates.view(), here.view());
+        sample(scaled_light, map, scaled_points.view(), variates.view(), there.view());
+        for (float& distance : there.columns[SampleArrays::distance]) distance /= scale;
+        for (std::size_t c = 0; c < SampleArrays::column_count; ++c) {
+          for (std::size_t i = 0; i < here.size(); ++i) {
+            const float a = here.columns[c][i], b = there.columns[c][i];
+            const bool rounded = c == SampleArrays::distance || c == SampleArrays::pdf;
+            ASSERT_TRUE(same_bits(a, b) || (rounded && std::abs(a / b - 1) < 1e-6f))
+                << name(workload) << " " << name(map) << " " << name(static_cast<SampleArrays::Column>(c));
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_P(DiskContract, LengthOfTheNormalDoesNotMatter) {
+  const PointArrays points = make_points(Workload::w1, pose(), 100);
+  const DiskQueries queries = make_queries(light(), DiskMap::ld_radial, points, 1);
+  const auto expected = call_everything(light(), DiskMap::ld_radial, queries);
+  for (const float scale : {0x1p20f, 0x1p-100f, 0x1p100f}) {
+    Disk longer = light();
+    longer.normal = {scale * longer.normal.x, scale * longer.normal.y, scale * longer.normal.z};
+    const auto got = call_everything(longer, DiskMap::ld_radial, queries);
+    for (std::size_t c = 0; c < got.size(); ++c) {
+      EXPECT_EQ(first_difference(got[c].values, expected[c].values), got[c].values.size()) << got[c].name;
+    }
+  }
+}
+
+void expect_same(const std::vector<NamedColumn>& got, const std::vector<NamedColumn>& expected) {
+  for (std::size_t c = 0; c < got.size(); ++c) {
+    ASSERT_EQ(got[c].values.size(), expected[c].values.size());
+    ASSERT_EQ(first_difference(got[c].values, expected[c].values), got[c].values.size()) << got[c].name;
+  }
+}
+
+/// The outputs of the points `indices` out of those of all n.
+std::vector<NamedColumn> picked(const std::vector<NamedColumn>& all, std::size_t n,
+                                const std::vector<std::size_t>& indices) {
+  std::vector<NamedColumn> result;
+  for (const auto& [what, values] : all) {
+    std::vector<float> some;
+    for (std::size_t j = 0; j < values.size() / n; ++j) {
+      for (const std::size_t i : indices) some.push_back(values[j * n + i]);
+    }
+    result.push_back({what, some});
+  }
+  return result;
+}
+
+/// W1 and W2 with bad points strewn in, so that lanes that end early share a packet with those that do not.
+PointArrays mixed_points(Pose pose, std::size_t n) {
+  PointArrays points = make_points(Workload::w1, pose, n);
+  const PointArrays close = make_points(Workload::w2, pose, n);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (i % 3 == 0) std::tie(points.x[i], points.y[i], points.z[i]) = std::tuple(close.x[i], close.y[i], close.z[i]);
+    if (i % 17 == 5) points.x[i] = nan;
+  }
+  return points;
+}
+
+TEST_P(DiskContract, BitsDoNotDependOnThePlaceInTheArray) {
+  constexpr std::size_t n = 203;
+  for (const DiskMap map : all_disk_maps) {
+    for (const std::size_t k : sample_counts) {
+      const DiskQueries all = make_queries(light(), map, mixed_points(pose(), n), k);
+      const auto expected = call_everything(light(), map, all);
+      std::vector<std::size_t> order(n);
+      std::iota(order.begin(), order.end(), std::size_t{0});
+      std::reverse(order.begin(), order.end());
+      expect_same(call_everything(light(), map, pick(all, order)), picked(expected, n, order));
+      std::rotate(order.begin(), order.begin() + 5, order.end());
+      expect_same(call_everything(light(), map, pick(all, order)), picked(expected, n, order));
+      for (const std::size_t size : odd_sizes) {
+        order.resize(size);
+        expect_same(call_everything(light(), map, pick(all, order)), picked(expected, n, order));
+      }
+    }
+  }
+}
+
+TEST_P(DiskContract, BitsDoNotDependOnTheNumberOfSamples) {
+  constexpr std::size_t n = 203, k = 3;
+  for (const DiskMap map : all_disk_maps) {
+    const DiskQueries several = make_queries(light(), map, mixed_points(pose(), n), k);
+    const auto expected = call_everything(light(), map, several);
+    for (std::size_t j = 0; j < k; ++j) {
+      for (const auto& [what, values] : call_everything(light(), map, nth_samples(several, j))) {
+        const auto& all = std::ranges::find(expected, what, &NamedColumn::name)->values;
+        const std::span part = what == "solid_angle" ? std::span(all) : std::span(all).subspan(j * n, n);
+        EXPECT_EQ(first_difference(values, part), n) << what << " of sample " << j;
+      }
+    }
+  }
+}
+
+TEST_P(DiskContract, BitsDoNotDependOnThreadsAndPackets) {
+  for (const DiskMap map : all_disk_maps) {
+    for (const std::size_t k : sample_counts) {
+      const DiskQueries queries = make_queries(light(), map, mixed_points(pose(), 10007), k);
+      const auto expected = call_everything(light(), map, queries);
+      constexpr std::size_t grains[] = {0, 1, 7, 64, 1 << 20};
+      for (const std::size_t grain : grains) {
+        SCOPED_TRACE("grain " + std::to_string(grain));
+        expect_same(call_everything(light(), map, queries, grain), expected);
+      }
+    }
+  }
+}
+
+/// Arrays that start anywhere, and neighbours on both sides that are nobody's business.
+TEST_P(DiskContract, WritesItsSpansAndNoMore) {
+  constexpr std::size_t margin = 19;
+  for (const DiskMap map : all_disk_maps) {
+    for (const std::size_t n : odd_sizes) {
+      for (const std::size_t k : sample_counts) {
+        const PointArrays points = make_points(Workload::w1, pose(), n + 1);
+        const VariateArrays variates = make_variates(k * n + 1);
+        SampleArrays samples(k * n + 2 * margin);
+        sample(light(), map, points.view(1, n), variates.view(1, k * n), samples.view(margin, k * n));
+        for (const auto& column : samples.columns) {
+          for (std::size_t i = 0; i < column.size(); ++i) {
+            const bool ours = i >= margin && i < margin + k * n;
+            ASSERT_EQ(column[i] != SampleArrays::untouched, ours) << "n " << n << " k " << k << " at " << i;
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_P(DiskContract, OutputsAreOptional) {
+  constexpr std::size_t n = 37;
+  const PointArrays points = make_points(Workload::w1, pose(), n);
+  for (const DiskMap map : all_disk_maps) {
+    for (const std::size_t k : sample_counts) {
+      const VariateArrays variates = make_variates(k * n);
+      SampleArrays all(k * n);
+      sample(light(), map, points.view(), variates.view(), all.view());
+      for (unsigned wanted = 0; wanted < 1u << SampleArrays::column_count; ++wanted) {
+        SampleArrays some(k * n);
+        Samples out = some.view();
+        std::span<float>* const spans[] = {&out.x,   &out.y, &out.z, &out.distance,
+                                           &out.pdf, &out.s, &out.t, &out.cosine};
+        for (std::size_t c = 0; c < std::size(spans); ++c) {
+          if (!(wanted >> c & 1)) *spans[c] = {};
+        }
+        sample(light(), map, points.view(), variates.view(), out);
+        for (std::size_t c = 0; c < std::size(spans); ++c) {
+          const std::vector<float> untouched(k * n, SampleArrays::untouched);
+          const auto& want = wanted >> c & 1 ? all.columns[c] : untouched;
+          ASSERT_EQ(first_difference(some.columns[c], want), k * n) << "outputs " << wanted << " column " << c;
+        }
+      }
+    }
+  }
+}
+
+HATBOX_FOR_EVERY_ISA_AND_POSE(DiskContract);
+
+}  // namespace
+}  // namespace hatbox::test

@@ -1,0 +1,12 @@
+# The standard library's headers are those in angle brackets with neither a dot nor a slash in their name.
+file(GLOB headers ${INCLUDE_DIR}/hatbox/*.h)
+if(NOT headers)
+  message(FATAL_ERROR "no headers in ${INCLUDE_DIR}")
+endif()
+foreach(header IN LISTS headers)
+  file(STRINGS ${header} includes REGEX "^[ \t]*#[ \t]*include")
+  list(FILTER includes EXCLUDE REGEX "#[ \t]*include <(hatbox/[a-z_]+\\.h|[a-z_]+)>")
+  if(includes)
+    message(SEND_ERROR "${header} includes more than the standard library: ${includes}")
+  endif()
+endforeach()

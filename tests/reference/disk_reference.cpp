@@ -1,0 +1,115 @@
+#include "reference/disk_reference.h"
+
+#include "reference/square_maps.h"
+
+#include <boost/math/special_functions/ellint_3.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace hatbox::reference {
+namespace {
+
+constexpr double half_pi = std::numbers::pi / 2;
+
+using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+
+/// Equation 23 for one quadrant: how far θ is from the x axis, in quarter turns, and the signs that unfold it again.
+struct Folded {
+  double fraction, sign_x, sign_y;
+};
+
+Folded fold(double theta) {
+  const double turns = theta / half_pi;
+  const double quadrant = std::floor(turns);
+  const double rest = turns - quadrant;
+  switch (static_cast<int>(quadrant) & 3) {
+    case 0: return {rest, 1, 1};
+    case 1: return {1 - rest, -1, 1};
+    case 2: return {rest, -1, -1};
+    default: return {1 - rest, 1, -1};
+  }
+}
+
+}  // namespace
+
+PaperDisk::PaperDisk(const DiskFrame<double>& frame, const Vec3& point) : view_(frame, point) {
+  const double z = view_.height();
+  const double r = view_.radius();
+  const double yc = view_.offset();
+  // Equation 3 and Figure 2: the rim points in the symmetry plane, on the sphere, and the middle between them.
+  const double l0 = std::hypot(yc - r, z);
+  const double l1 = std::hypot(yc + r, z);
+  const double y0 = (yc - r) / l0, z0 = z / l0;
+  const double y1 = (yc + r) / l1, z1 = z / l1;
+  const double yh = (y0 + y1) / 2, zh = (z0 + z1) / 2;
+  const double middle = std::hypot(yh, zh);
+  center_y_ = yh / middle;
+  center_z_ = zh / middle;
+  // Equation 4, with half the chord through the reprojected centre.
+  const double chord_y = z * yh / zh;
+  const double chord_x = std::sqrt((r - (chord_y - yc)) * (r + (chord_y - yc)));
+  a_ = chord_x / std::sqrt(chord_x * chord_x + chord_y * chord_y + z * z);
+  b_ = std::min(std::hypot(y1 - y0, z1 - z0) / 2, a_);
+  // Equations 19 and 20.
+  const double a2 = a_ * a_, b2 = b_ * b_;
+  n_ = (a2 - b2) / (a2 * (1 - b2));
+  k_ = std::sqrt((a2 - b2) / (1 - b2));
+  factor_ = b_ * (1 - a2) / (a_ * std::sqrt(1 - b2));
+  tangent_ratio_ = a_ / b_ * std::sqrt((1 - b2) / (1 - a2));
+  whole_ = half_pi - factor_ * boost::math::ellint_3(k_, n_, Policy());
+}
+
+double PaperDisk::rim_radius(double phi) const { return a_ * b_ / std::hypot(a_ * std::sin(phi), b_ * std::cos(phi)); }
+
+double PaperDisk::quadrant_area(double phi) const {
+  const double parametric = std::atan2(tangent_ratio_ * std::sin(phi), std::cos(phi));
+  return phi - factor_ * boost::math::ellint_3(k_, n_, parametric, Policy());
+}
+
+/// Equation 21 by Newton's method, which bisects where a step would leave the bracket. The paper's own start (φ
+/// proportional to the target) needs many more steps for narrow ellipses than the parametric angle does.
+double PaperDisk::invert(double target, int& iterations) const {
+  constexpr double step_tolerance = 1e-12;
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();  // of quadrant_area, absolute
+  double low = 0, high = half_pi;
+  double phi = std::atan2(b_ * std::sin(target * half_pi), a_ * std::cos(target * half_pi));
+  for (iterations = 1; iterations < 100; ++iterations) {
+    const double residual = quadrant_area(phi) - target * whole_;
+    (residual > 0 ? high : low) = phi;
+    const double rim = rim_radius(phi);
+    double next = phi - residual / (1 - std::sqrt((1 - rim) * (1 + rim)));
+    if (!(next >= low && next <= high)) next = (low + high) / 2;
+    const bool done = std::abs(next - phi) <= step_tolerance || std::abs(residual) <= rounding;
+    phi = next;
+    if (done) break;
+  }
+  return phi;
+}
+
+Vector<double> PaperDisk::from_ellipse(double x, double y, double z) const {
+  return {x, y * center_z_ + z * center_y_, z * center_z_ - y * center_y_};
+}
+
+DiskSample PaperDisk::sample(DiskMap map, float u, float v) const {
+  const double cu = clamp_variate(u), cv = clamp_variate(v);
+  if (map == DiskMap::area) {
+    const Polar p = concentric(cu, cv);
+    const Vector<double> direction = view_.direction_to_place(p.r * std::cos(p.phi), p.r * std::sin(p.phi));
+    return view_.sample(direction, view_.area_pdf(direction));
+  }
+  const PolarArea target = map == DiskMap::radial ? radial(cu, cv) : low_distortion(cu, cv);
+  const Folded quadrant = fold(target.theta);
+  int iterations = 0;
+  const double phi = invert(quadrant.fraction, iterations);
+  // Equations 17, 22 and 15 (with x and z as math has it: the cylinder's axis is z). t = 0 is the centre, h = 1.
+  const double rim = rim_radius(phi);
+  const double h = 1 - target.t * (1 - std::sqrt((1 - rim) * (1 + rim)));
+  const double rho = std::sqrt((1 - h) * (1 + h));
+  DiskSample result = view_.sample(
+      from_ellipse(quadrant.sign_x * rho * std::cos(phi), quadrant.sign_y * rho * std::sin(phi), h), 1 / solid_angle());
+  result.iterations = iterations;
+  return result;
+}
+
+}  // namespace hatbox::reference

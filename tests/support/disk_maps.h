@@ -1,0 +1,17 @@
+// The disk's maps by name, to loop over and to print.
+#pragma once
+
+#include <hatbox/disk.h>
+
+#include <array>
+
+namespace hatbox::test {
+
+inline constexpr std::array all_disk_maps{DiskMap::area, DiskMap::ld_radial, DiskMap::radial};
+
+inline const char* name(DiskMap map) {
+  constexpr std::array names{"area", "ld_radial", "radial"};
+  return names[static_cast<std::size_t>(map)];
+}
+
+}  // namespace hatbox::test

@@ -1,0 +1,68 @@
+// Fixtures that run a test once on every instruction set of this machine, and see to it that this one really ran.
+#pragma once
+
+#include "support/workloads.h"
+
+#include <hatbox/isa.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <tuple>
+
+namespace hatbox::test {
+
+/// Forces an instruction set and puts back the one that was active.
+class ForcedIsa {
+ public:
+  explicit ForcedIsa(Isa isa) : before_(active_isa()) { force_isa(isa); }
+  ~ForcedIsa() { force_isa(before_); }
+  ForcedIsa(const ForcedIsa&) = delete;
+  ForcedIsa& operator=(const ForcedIsa&) = delete;
+
+ private:
+  Isa before_;
+};
+
+class IsaTest : public testing::TestWithParam<Isa> {
+ protected:
+  void SetUp() override { ASSERT_EQ(active_isa(), GetParam()); }
+  void TearDown() override { EXPECT_EQ(active_isa(), GetParam()) << "another ISA took over during the test"; }
+
+ private:
+  ForcedIsa forced_{GetParam()};
+};
+
+using DiskParam = std::tuple<Isa, Pose>;
+
+/// Every ISA, with the light at the origin and in a general pose.
+class DiskTest : public testing::TestWithParam<DiskParam> {
+ protected:
+  Isa isa() const { return std::get<Isa>(GetParam()); }
+  Pose pose() const { return std::get<Pose>(GetParam()); }
+  void SetUp() override { ASSERT_EQ(active_isa(), isa()); }
+  void TearDown() override { EXPECT_EQ(active_isa(), isa()) << "another ISA took over during the test"; }
+
+ private:
+  ForcedIsa forced_{std::get<Isa>(GetParam())};
+};
+
+inline std::string isa_test_name(const testing::TestParamInfo<Isa>& info) { return name(info.param); }
+
+inline std::string disk_test_name(const testing::TestParamInfo<DiskParam>& info) {
+  return std::string(name(std::get<Isa>(info.param))) + "_" + name(std::get<Pose>(info.param));
+}
+
+}  // namespace hatbox::test
+
+#define HATBOX_FOR_EVERY_ISA(Suite)                                                                             \
+  INSTANTIATE_TEST_SUITE_P(Every, Suite,                                                                        \
+                           testing::ValuesIn(hatbox::available_isas().begin(), hatbox::available_isas().end()), \
+                           hatbox::test::isa_test_name)
+
+#define HATBOX_FOR_EVERY_ISA_AND_POSE(Suite)                                                                \
+  INSTANTIATE_TEST_SUITE_P(                                                                                 \
+      Every, Suite,                                                                                         \
+      testing::Combine(testing::ValuesIn(hatbox::available_isas().begin(), hatbox::available_isas().end()), \
+                       testing::Values(hatbox::test::Pose::canonical, hatbox::test::Pose::general)),        \
+      hatbox::test::disk_test_name)
