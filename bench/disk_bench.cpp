@@ -1,0 +1,147 @@
+#include "disk_bench.h"
+
+#include "arrays.h"
+#include "reference/disk_reference.h"
+
+#include <hatbox/hatbox.h>
+
+#include <benchmark/benchmark.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace hatbox::bench {
+namespace {
+
+constexpr Disk light{{0, 0, 0}, {0, 0, 1}, 1};
+constexpr std::pair<const char*, DiskMap> maps[] = {
+    {"area", DiskMap::area}, {"ld_radial", DiskMap::ld_radial}, {"radial", DiskMap::radial}};
+
+/// Arrays are made once for each size and shared by all cases, so that all of them see the same memory.
+Arrays& arrays(const Case& c) {
+  static std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<Arrays>> all;
+  std::unique_ptr<Arrays>& one = all[{c.points, c.samples_per_point}];
+  if (!one) one = std::make_unique<Arrays>(c.points, c.samples_per_point);
+  return *one;
+}
+
+/// What no sampler can beat: as many bytes read and written, by the library's memcpy. Every output gets a copy of an
+/// input, in pieces that stay in the cache, as the samplers' do.
+void copy(Arrays& arrays, std::size_t begin, std::size_t end) {
+  const Samples out = arrays.samples();
+  const Variates in = arrays.variates();
+  constexpr std::size_t piece = 1024;
+  for (std::size_t i = begin; i < end; i += piece) {
+    const std::size_t bytes = std::min(piece, end - i) * sizeof(float);
+    std::memcpy(&out.x[i], &in.u[i], bytes);
+    std::memcpy(&out.y[i], &in.v[i], bytes);
+    std::memcpy(&out.z[i], &in.u[i], bytes);
+    std::memcpy(&out.distance[i], &in.v[i], bytes);
+    std::memcpy(&out.pdf[i], &in.u[i], bytes);
+  }
+}
+
+void copy_all(Arrays& arrays, bool parallel) {
+  const std::size_t n = arrays.sample_count();
+  if (!parallel) return copy(arrays, 0, n);
+  constexpr std::size_t block = 4096;
+  tbb::parallel_for(std::size_t{0}, (n + block - 1) / block,
+                    [&](std::size_t i) { copy(arrays, i * block, std::min(n, (i + 1) * block)); });
+}
+
+template <class Work>
+void measure(benchmark::State& state, const Case& c, const Work& work) {
+  tbb::task_arena arena(c.threads);
+  arena.initialize();
+  for (auto _ : state) {
+    if (c.threads == 1) {
+      work(false);
+    } else {
+      arena.execute([&] { work(true); });
+    }
+    benchmark::ClobberMemory();
+  }
+}
+
+void measure_map(benchmark::State& state, const Case& c, Isa isa, DiskMap map) {
+  Arrays& a = arrays(c);
+  force_isa(isa);
+  measure(state, c, [&](bool in_parallel) {
+    if (in_parallel) {
+      parallel::sample(light, map, a.points(), a.variates(), a.samples());
+    } else {
+      sample(light, map, a.points(), a.variates(), a.samples());
+    }
+  });
+}
+
+/// The paper's own way, a sample at a time in double: eq. 19 by Boost.Math, inverted by Newton's method.
+void measure_reference(benchmark::State& state, const Case& c, DiskMap map) {
+  Arrays& a = arrays(c);
+  const reference::DiskFrame<double> frame(light);
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < a.point_count(); ++i) {
+      const Points p = a.points();
+      const reference::PaperDisk disk(frame, {p.x[i], p.y[i], p.z[i]});
+      benchmark::DoNotOptimize(disk.sample(map, a.variates().u[i], a.variates().v[i]));
+    }
+  }
+}
+
+class Registry {
+ public:
+  template <class Measure>
+  void add(Case c, Measure measure) {
+    c.light = "disk";
+    c.workload = "W1";
+    benchmark::RegisterBenchmark(c.name().c_str(), [c, measure](benchmark::State& state) { measure(state, c); })
+        ->UseRealTime();
+    cases.push_back(std::move(c));
+  }
+
+  std::vector<Case> cases;
+};
+
+}  // namespace
+
+std::vector<Case> register_disk_cases() {
+  Registry registry;
+  for (const std::size_t points : {std::size_t{16}, std::size_t{4096}, std::size_t{1} << 20}) {
+    for (const std::size_t k : {1, 16}) {
+      for (const int threads : {1, 2}) {
+        const Case base{.threads = threads, .samples_per_point = k, .points = points};
+        Case copying = base;
+        copying.map = "copy";
+        copying.isa = "any";
+        registry.add(copying, [](benchmark::State& state, const Case& c) {
+          measure(state, c, [&](bool in_parallel) { copy_all(arrays(c), in_parallel); });
+        });
+        for (const Isa isa : available_isas()) {
+          for (const auto& [map_name, map] : maps) {
+            Case c = base;
+            c.map = map_name;
+            c.isa = name(isa);
+            registry.add(c, [isa, map = map](benchmark::State& state, const Case& now) {
+              measure_map(state, now, isa, map);
+            });
+          }
+        }
+      }
+    }
+  }
+  for (const auto& [map_name, map] : maps) {
+    if (map == DiskMap::area) continue;
+    const Case c{.map = map_name, .isa = "reference", .threads = 1, .samples_per_point = 1, .points = 256};
+    registry.add(c, [map = map](benchmark::State& state, const Case& now) { measure_reference(state, now, map); });
+  }
+  return registry.cases;
+}
+
+}  // namespace hatbox::bench

@@ -1,0 +1,52 @@
+// From the repetitions of every case to medians, their ratios, a table and report.json.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace hatbox::bench {
+
+/// One case. The map "copy" (isa "any") copies the arrays; the isa "reference" is the scalar double reference.
+struct Case {
+  std::string light = {}, map = {}, isa = {}, workload = {};
+  int threads = 1;
+  std::size_t samples_per_point = 1, points = 0;
+
+  std::string name() const;
+  std::size_t samples() const { return points * samples_per_point; }
+};
+
+/// Collects what Google Benchmark measures, a time for each repetition. Says on the terminal how far it is.
+class Collector : public benchmark::BenchmarkReporter {
+ public:
+  explicit Collector(std::size_t expected_runs) : expected_runs_(expected_runs) {}
+
+  bool ReportContext(const Context& context) override;
+  void ReportRuns(const std::vector<Run>& runs) override;
+  void Finalize() override;
+
+  /// The median of the repetitions, nanoseconds a sample; 0 for a case that did not run.
+  double ns_per_sample(const Case& c) const;
+
+ private:
+  std::size_t expected_runs_, done_runs_ = 0;
+  std::map<std::string, std::vector<double>> seconds_;  // a call, by the name of the case
+};
+
+/// A case and how it compares. A ratio is 0 where there is nothing to compare with.
+struct Row {
+  Case measured;
+  double ns_per_sample = 0;
+  double vs_area = 0, vs_copy = 0;  // this ÷ that, same ISA, threads and arrays: smaller is better
+  double vs_reference = 0;          // scalar double reference ÷ this: larger is better
+};
+
+std::vector<Row> compare(const std::vector<Case>& cases, const Collector& collector);
+void print_table(const std::vector<Row>& rows);
+void write_json(const std::vector<Row>& rows, const std::string& path);
+
+}  // namespace hatbox::bench

@@ -1,0 +1,32 @@
+// One scene by several maps: pictures, a table and report.json.
+#pragma once
+
+#include "wavefront.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wavefront {
+
+/// Throws std::invalid_argument, which lists the maps there are.
+hatbox::DiskMap parse_map(std::string_view name);
+
+/// What to render, apart from RenderSettings::map and light_samples.
+struct Comparison {
+  std::string scene_name;  // for the report
+  std::vector<std::string> maps;
+  std::uint32_t reference_spp = 0;  // 0: no reference, no errors
+  RenderSettings settings;
+  std::filesystem::path out;  // an existing directory
+};
+
+/// Writes <map>.exr, <map>.png and report.json; with a reference also reference.exr, reference.png, <map>_error.png
+/// and comparison.png. Prints the table to stdout.
+///
+/// The reference is rendered with ld_radial, at the same places of the pixels as the maps and with other light samples
+/// (see RenderSettings). It is the mean of two halves with their own seeds; what they differ by tells its own error.
+void compare(const Scene& scene, const Comparison& comparison);
+
+}  // namespace wavefront

@@ -1,0 +1,96 @@
+#include "mesh.h"
+
+#include <tiny_obj_loader.h>
+
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace wavefront {
+namespace {
+
+using Imath::M44d;
+
+V3f transform_point(const V3f& point, const M44d& to_world) { return V3f(Imath::V3d(point) * to_world); }
+
+V3f triple(const std::vector<float>& values, int index) {
+  const auto at = 3 * static_cast<std::size_t>(index);
+  return {values.at(at), values.at(at + 1), values.at(at + 2)};
+}
+
+/// OBJ indexes positions and normals separately; here a vertex is a pair of both.
+class VertexMerger {
+ public:
+  VertexMerger(const tinyobj::attrib_t& attributes, bool with_normals, const M44d& to_world, Mesh& mesh)
+      : attributes_(attributes), with_normals_(with_normals), to_world_(to_world), mesh_(mesh) {}
+
+  std::uint32_t operator()(const tinyobj::index_t& index) {
+    const int normal = with_normals_ ? index.normal_index : -1;
+    const auto [entry, is_new] =
+        vertices_.try_emplace({index.vertex_index, normal}, static_cast<std::uint32_t>(mesh_.positions.size()));
+    if (is_new) {
+      mesh_.positions.push_back(transform_point(triple(attributes_.vertices, index.vertex_index), to_world_));
+      if (with_normals_) mesh_.normals.push_back(transform_normal(triple(attributes_.normals, normal), to_world_));
+    }
+    return entry->second;
+  }
+
+ private:
+  const tinyobj::attrib_t& attributes_;
+  bool with_normals_;
+  const M44d& to_world_;
+  Mesh& mesh_;
+  std::map<std::pair<int, int>, std::uint32_t> vertices_;
+};
+
+bool every_corner_has_a_normal(const std::vector<tinyobj::shape_t>& groups) {
+  for (const auto& group : groups)
+    for (const auto& index : group.mesh.indices)
+      if (index.normal_index < 0) return false;
+  return true;
+}
+
+/// Averages face normals weighted by area, which is the length of the cross product.
+void average_normals(Mesh& mesh) {
+  mesh.normals.assign(mesh.positions.size(), V3f(0));
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const V3f normal = (mesh.positions[b] - mesh.positions[a]).cross(mesh.positions[c] - mesh.positions[a]);
+    for (const std::uint32_t vertex : {a, b, c}) mesh.normals[vertex] += normal;
+  }
+  for (V3f& normal : mesh.normals) normal.normalize();
+}
+
+}  // namespace
+
+V3f transform_normal(const V3f& normal, const M44d& to_world) {
+  Imath::V3d result;
+  to_world.inverse().transposed().multDirMatrix(Imath::V3d(normal), result);
+  return V3f(result.normalized());
+}
+
+Mesh load_obj(const std::filesystem::path& path, const M44d& to_world, bool flat) {
+  tinyobj::ObjReader reader;
+  if (!reader.ParseFromFile(path.string())) throw std::runtime_error("cannot read " + path.string());
+  Mesh mesh;
+  const bool with_normals = !flat && every_corner_has_a_normal(reader.GetShapes());
+  VertexMerger merge(reader.GetAttrib(), with_normals, to_world, mesh);
+  for (const auto& group : reader.GetShapes()) {
+    const auto& corners = group.mesh.indices;  // triangulated by the reader
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+      mesh.triangles.push_back({merge(corners[i]), merge(corners[i + 1]), merge(corners[i + 2])});
+  }
+  if (mesh.triangles.empty()) throw std::runtime_error("no faces in " + path.string());
+  if (!flat && !with_normals) average_normals(mesh);
+  return mesh;
+}
+
+Mesh make_rectangle(const M44d& to_world) {
+  Mesh mesh;
+  for (const V3f& corner : {V3f(-1, -1, 0), V3f(1, -1, 0), V3f(1, 1, 0), V3f(-1, 1, 0)})
+    mesh.positions.push_back(transform_point(corner, to_world));
+  mesh.normals.assign(4, transform_normal({0, 0, 1}, to_world));
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+}  // namespace wavefront

@@ -1,0 +1,72 @@
+// What the reader makes of a scene file and the renderer works on: shapes in world space, lights, the view.
+#pragma once
+
+#include <hatbox/hatbox.h>
+
+#include <Imath/ImathColor.h>
+#include <Imath/ImathMatrix.h>
+#include <Imath/ImathVec.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace wavefront {
+
+using Imath::V3f;
+using Rgb = Imath::C3f;
+
+struct Sphere {
+  V3f center;
+  float radius;
+};
+
+struct Mesh {
+  std::vector<V3f> positions;
+  std::vector<V3f> normals;  // a unit vector a position, or empty: flat triangles
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// A Lambertian surface. Flat ones scatter on the side of their normal only.
+struct Shape {
+  std::variant<Sphere, hatbox::Disk, Mesh> geometry;
+  Rgb reflectance;
+  std::optional<std::size_t> emitter;  // index into Scene::emitters
+};
+
+struct Emitter {
+  hatbox::Disk shape;
+  Rgb radiance;
+  bool double_sided;
+};
+
+/// A perspective camera, which looks along +z of its own space with +x to the left of the picture and +y up.
+struct View {
+  Imath::M44d to_world;  // Imath's convention: row vectors, p' = p · M
+  double fov_degrees = 90;
+  char fov_axis = 'x';
+};
+
+struct Scene {
+  std::vector<Shape> shapes;
+  std::vector<Emitter> emitters;
+  bool hide_emitters = false;  // then a light's own shape stops neither camera rays nor shadow rays
+  View view;
+  int width = 768;
+  int height = 576;
+  std::uint32_t samples_per_pixel = 4;
+  std::vector<std::string> ignored;  // properties of the file that mean nothing here, "sampling (line 69)"
+};
+
+/// What is wrong with a scene file, in one line with file, line and element.
+class SceneError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace wavefront

@@ -1,0 +1,40 @@
+// The renderer: direct light on Lambertian surfaces, computed for many paths at a time, one stage after the other.
+#pragma once
+
+#include "film.h"
+#include "ray_tracer.h"
+#include "sampler.h"
+#include "scene.h"
+
+#include <cstdint>
+#include <string>
+
+namespace wavefront {
+
+/// Every pixel has `spp` places through which camera rays go, and every camera ray that hits something takes
+/// `light_samples` samples of each light.
+///
+/// The places depend on spp, the size and the kind of sampler, not on the seed. So the images of one scene differ by
+/// their light samples alone, and a difference to a reference with the same places (and more light samples at each) is
+/// the error of light sampling: were the places drawn anew, noise at the silhouettes, which is the same for every map,
+/// would drown it.
+struct RenderSettings {
+  int width;
+  int height;
+  std::uint32_t spp;
+  std::uint32_t light_samples = 1;
+  hatbox::DiskMap map = hatbox::DiskMap::ld_radial;
+  SamplerKind sampler = SamplerKind::zero_two;
+  std::uint64_t seed = 0;  // of the light samples
+};
+
+struct Render {
+  Image image;
+  std::uint64_t light_samples = 0;  // how many were taken in all
+  double light_seconds = 0;         // time in hatbox::parallel::sample alone
+  double seconds = 0;
+};
+
+Render render(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings, const std::string& label);
+
+}  // namespace wavefront
