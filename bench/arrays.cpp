@@ -7,9 +7,7 @@ namespace {
 
 class Random {
  public:
-  float operator()(float low, float high) {
-    return low + (high - low) * static_cast<float>(engine_() >> 8) * 0x1p-24f;
-  }
+  float operator()(float low, float high) { return low + (high - low) * static_cast<float>(engine_() >> 8) * 0x1p-24f; }
 
  private:
   std::mt19937 engine_{1};

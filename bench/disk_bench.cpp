@@ -32,26 +32,30 @@ Arrays& arrays(const Case& c) {
   return *one;
 }
 
-/// What no sampler can beat: as many bytes read and written, by the library's memcpy. Every output gets a copy of an
-/// input, in pieces that stay in the cache, as the samplers' do.
+/// What no sampler can beat: the same arrays read and written by the library's memcpy. Each of the five outputs gets a
+/// copy of one of the five inputs; of the points once for every sample, as the outputs are longer.
 void copy(Arrays& arrays, std::size_t begin, std::size_t end) {
   const Samples out = arrays.samples();
-  const Variates in = arrays.variates();
-  constexpr std::size_t piece = 1024;
+  const Variates variates = arrays.variates();
+  const Points points = arrays.points();
+  const std::size_t n = arrays.point_count();
+  constexpr std::size_t piece = 1024;  // a block of points at a time, as the samplers do
   for (std::size_t i = begin; i < end; i += piece) {
     const std::size_t bytes = std::min(piece, end - i) * sizeof(float);
-    std::memcpy(&out.x[i], &in.u[i], bytes);
-    std::memcpy(&out.y[i], &in.v[i], bytes);
-    std::memcpy(&out.z[i], &in.u[i], bytes);
-    std::memcpy(&out.distance[i], &in.v[i], bytes);
-    std::memcpy(&out.pdf[i], &in.u[i], bytes);
+    for (std::size_t at = i; at < arrays.sample_count(); at += n) {
+      std::memcpy(&out.x[at], &points.x[i], bytes);
+      std::memcpy(&out.y[at], &points.y[i], bytes);
+      std::memcpy(&out.z[at], &points.z[i], bytes);
+      std::memcpy(&out.distance[at], &variates.u[at], bytes);
+      std::memcpy(&out.pdf[at], &variates.v[at], bytes);
+    }
   }
 }
 
 void copy_all(Arrays& arrays, bool parallel) {
-  const std::size_t n = arrays.sample_count();
+  const std::size_t n = arrays.point_count();
   if (!parallel) return copy(arrays, 0, n);
-  constexpr std::size_t block = 4096;
+  constexpr std::size_t block = 1024;
   tbb::parallel_for(std::size_t{0}, (n + block - 1) / block,
                     [&](std::size_t i) { copy(arrays, i * block, std::min(n, (i + 1) * block)); });
 }
@@ -101,8 +105,9 @@ class Registry {
   void add(Case c, Measure measure) {
     c.light = "disk";
     c.workload = "W1";
-    benchmark::RegisterBenchmark(c.name().c_str(), [c, measure](benchmark::State& state) { measure(state, c); })
-        ->UseRealTime();
+    benchmark::RegisterBenchmark(c.name().c_str(), [c, measure](benchmark::State& state) {
+      measure(state, c);
+    })->UseRealTime();
     cases.push_back(std::move(c));
   }
 
@@ -128,9 +133,8 @@ std::vector<Case> register_disk_cases() {
             Case c = base;
             c.map = map_name;
             c.isa = name(isa);
-            registry.add(c, [isa, map = map](benchmark::State& state, const Case& now) {
-              measure_map(state, now, isa, map);
-            });
+            registry.add(
+                c, [isa, map = map](benchmark::State& state, const Case& now) { measure_map(state, now, isa, map); });
           }
         }
       }

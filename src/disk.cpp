@@ -34,8 +34,8 @@ std::size_t index_of(DiskMap map) {
 
 float* or_null(std::span<float> array) { return array.empty() ? nullptr : array.data(); }
 
-void run_sample(const Schedule& schedule, const Disk& light, DiskMap map, const Points& points, const Variates& variates,
-            const Samples& out) {
+void run_sample(const Schedule& schedule, const Disk& light, DiskMap map, const Points& points,
+                const Variates& variates, const Samples& out) {
   const BatchSize size = checked_size(points, variates);
   check_outputs(out, size.total());
   const std::size_t index = index_of(map);
@@ -72,8 +72,8 @@ DiskQueryJob query_job(const Disk& light, const Points& points, BatchSize size, 
   };
 }
 
-void run_pdf(const Schedule& schedule, const Disk& light, DiskMap map, const Points& points, const Directions& directions,
-         std::span<float> out) {
+void run_pdf(const Schedule& schedule, const Disk& light, DiskMap map, const Points& points,
+             const Directions& directions, std::span<float> out) {
   const BatchSize size = checked_size(points, directions);
   check_size("out", out, size.total());
   const DiskQueryKernel kernel = active_kernels().disk_pdf_of_direction[index_of(map)];
@@ -82,7 +82,7 @@ void run_pdf(const Schedule& schedule, const Disk& light, DiskMap map, const Poi
 }
 
 void run_pdf(const Schedule& schedule, const Disk& light, DiskMap map, const Points& points, const Places& places,
-         std::span<float> out) {
+             std::span<float> out) {
   const BatchSize size = checked_size(points, places);
   check_size("out", out, size.total());
   const DiskQueryKernel kernel = active_kernels().disk_pdf_of_place[index_of(map)];
@@ -90,7 +90,7 @@ void run_pdf(const Schedule& schedule, const Disk& light, DiskMap map, const Poi
 }
 
 void run_invert(const Schedule& schedule, const Disk& light, DiskMap map, const Points& points,
-            const Directions& directions, std::span<float> u, std::span<float> v) {
+                const Directions& directions, std::span<float> u, std::span<float> v) {
   const BatchSize size = checked_size(points, directions);
   check_size("u", u, size.total());
   check_size("v", v, size.total());

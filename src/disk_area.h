@@ -1,5 +1,5 @@
-// DiskMap::area: uniform over the disk's area by the concentric map (Shirley and Chiu 1997). Nothing else is cheaper, so
-// this is the yardstick of the other maps; it is written to cost as little as it can.
+// DiskMap::area: uniform over the disk's area by the concentric map (Shirley and Chiu 1997). Nothing else is cheaper,
+// so this is the yardstick of the other maps; it is written to cost as little as it can.
 #pragma once
 
 #include "disk_hit.h"
@@ -11,14 +11,16 @@ namespace {
 template <class V>
 class AreaMap {
  public:
-  AreaMap(const Constants<V>& light, V x, V y, V z) : light_(light), point_{x, y, z} {
+  HATBOX_INLINE AreaMap(const Constants<V>& light, V x, V y, V z) : light_(light), point_{x, y, z} {
     for (int i = 0; i < 3; ++i) l_[i] = (V(light.center[i]) - point_[i]) * V(light.inverse_radius);
-    height_ = fma(l_[0], V(light.axes[2][0]), fma(l_[1], V(light.axes[2][1]), l_[2] * V(light.axes[2][2])));
-    projected_area_ = constant<V>(pi) * abs(height_);
+    const Scalar<V>(&normal)[3] = light.axes[2];
+    height_ = fma(l_[0], V(normal[0]), fma(l_[1], V(normal[1]), l_[2] * V(normal[2])));
+    // The area of the unit disk is π; its projection on a sphere of distance 1 is π|h|/distance³.
+    density_ = V(1) / (constant<V>(pi) * abs(height_));
   }
 
-  DiskSample<V> sample(V u, V v) const {
-    const Polar<V> polar = concentric(clamp_variate(u), clamp_variate(v));
+  HATBOX_INLINE DiskSample<V> sample(V u, V v) const {
+    const Polar<V> polar = concentric(u, v);
     const Place<V> place = {polar.radius * polar.angle.cos, polar.radius * polar.angle.sin};
     const Ray ray = to(place);
     DiskSample<V> out;
@@ -38,7 +40,7 @@ class AreaMap {
 
   V pdf_of_direction(const V (&direction)[3]) const {
     const Hit hit = intersect(direction);
-    const V density = hit.distance * hit.distance / projected_area_ * hit.distance;
+    const V density = hit.distance * hit.distance * density_ * hit.distance;
     return select(honest(hit.inside, density), density, V(0));
   }
 
@@ -70,9 +72,8 @@ class AreaMap {
     }
     const V distance2 = fma(ray.l[0], ray.l[0], fma(ray.l[1], ray.l[1], ray.l[2] * ray.l[2]));
     ray.distance = sqrt(distance2);
-    const V shared = V(1) / (ray.distance * projected_area_);  // one division serves both that follow
-    ray.inverse_distance = shared * projected_area_;
-    ray.pdf = distance2 * (distance2 * shared);
+    ray.inverse_distance = ray.distance * (V(1) / distance2);  // the root and the quotient run side by side
+    ray.pdf = distance2 * density_ * ray.distance;
     return ray;
   }
 
@@ -92,9 +93,9 @@ class AreaMap {
 
   const Constants<V>& light_;
   V point_[3];
-  V l_[3];            // from the shading point to the disk's centre, in radii
-  V height_;          // signed, along the normal
-  V projected_area_;  // π|h|: over distance³ it is the solid angle of the disk's area, were all of it at that place
+  V l_[3];     // from the shading point to the disk's centre, in radii
+  V height_;   // signed, along the normal
+  V density_;  // of a direction, less the factor distance³
 };
 
 }  // namespace

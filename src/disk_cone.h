@@ -23,50 +23,56 @@ using Constants = DiskConstantsOf<Scalar<V>>;
 
 template <class V>
 struct DiskCone {
-  Mask<V> valid;    // false in the disk's plane and for non-finite points; the rest is then of no use
-  Mask<V> below;    // the shading point lies on the side of −normal
-  V height, d;      // |h| > 0 and d of the above
-  V t_u, t_v;       // t̂ in the disk's own axes; any unit vector for a point on the axis
-  V a, b;           // sin α, sin β
-  V b_over_a;       // of use where both would underflow when squared
+  Mask<V> valid;  // false in the disk's plane and for non-finite points; the rest is then of no use
+  Mask<V> below;  // the shading point lies on the side of −normal
+  V height, d;    // |h| > 0 and d of the above
+  V t_u, t_v;     // t̂ in the disk's own axes; any unit vector for a point on the axis
+  V a, b;         // sin α, sin β
+  V inverse_ab;   // of use where their product would underflow
+  V b_over_a;     // of use where both would underflow when squared
   V cos_beta;
-  V k2;             // k'²
-  V kappa;          // κ
-  V m_t, m_n;       // see above
+  V k2;        // k'²
+  V kappa;     // κ
+  V m_t, m_n;  // see above
   V height_over_m_n;
 };
 
-/// A point of the world in the disk's axes, in radii, from the point to the disk's centre. The difference and the dot
-/// products are compensated: near the disk's plane and rim a plain product would cost all of the answer's digits.
+/// From a point of the world to the disk's centre, in the disk's axes and in radii.
 template <class V>
 struct DiskLocal {
   V u, v, n;
 };
 
+// A rounded difference, u or v is the exact one of a point or a light an ulp aside, which is all that is known of them.
+// The height is not that forgiving: next to the disk's plane the products cancel, and are compensated.
 template <class V>
-inline DiskLocal<V> to_disk(const Constants<V>& light, V x, V y, V z) {
-  const Pair<V> l[3] = {two_difference(V(light.center[0]), x), two_difference(V(light.center[1]), y),
-                        two_difference(V(light.center[2]), z)};
-  return {dot(l, light.axes_hi[0], light.axes_lo[0]), dot(l, light.axes_hi[1], light.axes_lo[1]),
-          dot(l, light.axes_hi[2], light.axes_lo[2])};
+HATBOX_INLINE inline DiskLocal<V> to_disk(const Constants<V>& light, V x, V y, V z) {
+  const V l[3] = {V(light.center[0]) - x, V(light.center[1]) - y, V(light.center[2]) - z};
+  const auto rounded = [&](const Scalar<V>(&axis)[3]) {
+    return fma(l[0], V(axis[0]), fma(l[1], V(axis[1]), l[2] * V(axis[2])));
+  };
+  return {rounded(light.axes_hi[0]), rounded(light.axes_hi[1]), dot(l, light.axes_hi[2], light.axes_lo[2])};
 }
 
 /// √((L ± x)/(2L)), given x and √((L − x)(L + x))/2: the larger one directly, the other from their product.
 template <class V>
 struct Halves {
+  Mask<V> positive;  // x >= 0, the first is the larger
   V plus, minus;
+  V large, inverse_large;
 };
 
 template <class V>
-inline Halves<V> halves(V inverse_L, V x, V half_root) {
+HATBOX_INLINE inline Halves<V> halves(V inverse_L, V x, V half_root) {
   const V large = sqrt(fma(V(0.5) * abs(x), inverse_L, V(0.5)));
-  const V small = half_root * inverse_L / large;
+  const V inverse_large = V(1) / large;
+  const V small = half_root * inverse_L * inverse_large;
   const Mask<V> positive = x >= V(0);
-  return {select(positive, large, small), select(positive, small, large)};
+  return {positive, select(positive, large, small), select(positive, small, large), large, inverse_large};
 }
 
 template <class V>
-inline DiskCone<V> disk_cone(const Constants<V>& light, V x, V y, V z) {
+HATBOX_INLINE inline DiskCone<V> disk_cone(const Constants<V>& light, V x, V y, V z) {
   const DiskLocal<V> l = to_disk(light, x, y, z);
   DiskCone<V> cone;
   cone.height = abs(l.n);
@@ -79,13 +85,15 @@ inline DiskCone<V> disk_cone(const Constants<V>& light, V x, V y, V z) {
   const V d2 = sum.high;
   const Mask<V> off_axis = d2 >= constant<V>(smallest_normal<V>);
   cone.d = select(off_axis, sqrt(d2), V(0));
-  const V inverse_d = V(1) / select(off_axis, cone.d, V(1));
+  const V far = cone.d + V(1);
+  const V nonzero_d = select(off_axis, cone.d, V(1));
+  const V shared = V(1) / (nonzero_d * far);  // one division for 1/d and 1/(d + 1)
+  const V inverse_d = far * shared;
   cone.t_u = select(off_axis, l.u * inverse_d, V(1));
   cone.t_v = select(off_axis, l.v * inverse_d, V(0));
 
   const V h2 = cone.height * cone.height;
-  const V far = cone.d + V(1);
-  const V near = d2_minus_1 / far;
+  const V near = d2_minus_1 * (nonzero_d * shared);
   // The max keeps ℓ0 from underflowing to 0 right above or beside the rim.
   const V rim0 = max(sqrt(fma(near, near, h2)), max(cone.height, abs(near)));
   const V rim1 = sqrt(fma(far, far, h2));
@@ -93,16 +101,18 @@ inline DiskCone<V> disk_cone(const Constants<V>& light, V x, V y, V z) {
   const V inverse_L = V(1) / L;
   const Halves<V> beta = halves(inverse_L, d2_minus_1 + h2, cone.height);
   const Halves<V> m = halves(inverse_L, d2_minus_1 - h2, cone.height * cone.d);
-  const V half_sum = V(0.5) * (rim0 + rim1);
-  cone.a = min(V(1) / half_sum, V(1));
+  const V inverse_a = V(0.5) * (rim0 + rim1);
   cone.b = beta.minus;
-  cone.b_over_a = beta.minus * half_sum;
+  cone.b_over_a = beta.minus * inverse_a;
+  const V a_over_b = V(1) / cone.b_over_a;
+  cone.a = min(cone.b * a_over_b, V(1));
+  cone.inverse_ab = inverse_a * inverse_a * a_over_b;
   cone.cos_beta = beta.plus;
   cone.k2 = L * cone.a * cone.a;
   cone.kappa = cone.a * cone.a * cone.d;
   cone.m_t = m.plus;
   cone.m_n = m.minus;
-  cone.height_over_m_n = cone.height / m.minus;
+  cone.height_over_m_n = select(m.positive, L * (m.large * inverse_d), cone.height * m.inverse_large);
   cone.valid = (cone.height > V(0)) && (d2 + h2 < constant<V>(infinity<V>));
   return cone;
 }

@@ -29,9 +29,8 @@ DiskConstantsOf<T> disk_constants(const Disk& light) {
   const double nx = light.normal.x, ny = light.normal.y, nz = light.normal.z;
   const double length = std::sqrt(nx * nx + ny * ny + nz * nz);
   const Frame frame = frame_of({nx / length, ny / length, nz / length});
-  const double axes[3][3] = {{frame.u.x, frame.u.y, frame.u.z},
-                             {frame.v.x, frame.v.y, frame.v.z},
-                             {frame.n.x, frame.n.y, frame.n.z}};
+  const double axes[3][3] = {
+      {frame.u.x, frame.u.y, frame.u.z}, {frame.v.x, frame.v.y, frame.v.z}, {frame.n.x, frame.n.y, frame.n.z}};
 
   DiskConstantsOf<T> constants = {};
   constants.center[0] = light.center.x;

@@ -10,9 +10,6 @@
 namespace hatbox::HATBOX_ISA {
 namespace {
 
-// Kernels are one loop each, in registers from load to store. Compilers think the body too large to inline twice.
-#define HATBOX_INLINE __attribute__((always_inline))
-
 template <class V>
 inline constexpr std::size_t lanes = Lanes<V>::count;
 
@@ -62,7 +59,8 @@ HATBOX_INLINE inline void for_each_packet(std::size_t begin, std::size_t end, co
 }
 
 template <class V, class Memory>
-HATBOX_INLINE inline void store_sample(const DiskSampleJob& job, const Memory& memory, std::size_t at, const DiskSample<V>& sample) {
+HATBOX_INLINE inline void store_sample(const DiskSampleJob& job, const Memory& memory, std::size_t at,
+                                       const DiskSample<V>& sample) {
   const auto put = [&](float* to, V value) HATBOX_INLINE {
     if (to != nullptr) memory.store(to + at, select(sample.valid, value, V(0)));
   };
@@ -90,7 +88,8 @@ void disk_sample(const DiskSampleJob& shared_job, std::size_t begin, std::size_t
 
 /// The loop of the queries: answer(map, packet, at) for every query of every point, at the query's place in the arrays.
 template <template <class> class Map, class Answer>
-HATBOX_INLINE inline void for_each_query(const DiskQueryJob& job, std::size_t begin, std::size_t end, const Answer& answer) {
+HATBOX_INLINE inline void for_each_query(const DiskQueryJob& job, std::size_t begin, std::size_t end,
+                                         const Answer& answer) {
   for_each_packet(begin, end, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
     using V = VectorOf<decltype(memory)>;
     const Map<V> map(job.light, memory.load(job.point[0] + i), memory.load(job.point[1] + i),

@@ -1,5 +1,5 @@
-// DiskMap::ld_radial and radial: uniform in solid angle over the spherical ellipse of the disk, from the centre outwards
-// (Guillén et al. 2017, §3.3), in the angle η of eta_series.h.
+// DiskMap::ld_radial and radial: uniform in solid angle over the spherical ellipse of the disk, from the centre
+// outwards (Guillén et al. 2017, §3.3), in the angle η of eta_series.h.
 //
 // With t = r² the share of the way from the centre direction (t = 0) to the rim (t = 1), equal in solid angle (eq. 22):
 //   z = (1 − t) + t h(η),  S² = t (1 + z)/(1 + h),  q = (a S cos η, b S sin η, z)
@@ -30,7 +30,8 @@ struct Descent {
 //   cos²β k'² (b² + K cos²η)/(1 − h²) + (z² − h²)(b² + K)/(1 − h²),  K = κ² cos²β,
 // a sum of positive terms.
 template <class V>
-inline Descent<V> descent(const DiskCone<V>& cone, const EllipsePoint<V>& q, V one_minus_t, V h, V inverse_1_plus_h) {
+HATBOX_INLINE inline Descent<V> descent(const DiskCone<V>& cone, const EllipsePoint<V>& q, V one_minus_t, V h,
+                                        V inverse_1_plus_h) {
   const V tilt = cone.kappa * cone.cos_beta * q.S * q.eta.sin;
   const V conjugate = q.z + abs(tilt);
   // Over a², so that neither the far nor the grazing light underflows.
@@ -48,18 +49,17 @@ inline Descent<V> descent(const DiskCone<V>& cone, const EllipsePoint<V>& q, V o
   return {numerator / denominator, denominator / numerator};
 }
 
+/// Made once a point; its samples and queries share that.
 /// Chart is ConcentricChart for ld_radial, PolarChart for radial.
 template <class V, class Chart>
 class RadialMap {
  public:
-  RadialMap(const Constants<V>& light, V x, V y, V z)
-      : light_(light), cone_(disk_cone(light, x, y, z)), series_(eta_series(cone_)) {
-    density_ = V(1) / (constant<V>(2 * pi) * cone_.a * cone_.b);
-  }
+  HATBOX_INLINE RadialMap(const Constants<V>& light, V x, V y, V z)
+      : light_(light), cone_(disk_cone(light, x, y, z)), series_(eta_series(cone_)) {}
 
-  DiskSample<V> sample(V u, V v) const {
-    const Polar<V> polar = Chart::forward(clamp_variate(u), clamp_variate(v));
-    const V t = min(polar.radius * polar.radius, constant<V>(last_below_one<V>));
+  HATBOX_INLINE DiskSample<V> sample(V u, V v) const {
+    const Polar<V> polar = Chart::forward(u, v);
+    const V t = polar.radius * polar.radius;
     const auto [shift, slope] = along(polar.angle);
     EllipsePoint<V> q;
     q.eta = rotate(polar.angle, sincos_small(shift));
@@ -71,7 +71,7 @@ class RadialMap {
     q.S = polar.radius * sqrt((V(1) + q.z) * (shared * slope));
 
     DiskSample<V> out;
-    out.pdf = density_ * (one_plus_h * one_plus_h * shared);
+    out.pdf = density() * (one_plus_h * one_plus_h * shared);
     out.valid = honest(cone_.valid && is_finite(u + v), out.pdf);
     place(q, descent(cone_, q, one_minus_t, h, shared * slope), out);
     return out;
@@ -96,7 +96,7 @@ class RadialMap {
     const V h = rim_height(cone_, point.eta.cos * point.eta.cos, point.eta.sin * point.eta.sin);
     const V r = min(min(point.S, V(1)) * sqrt((V(1) + h) / (V(1) + max(q.z, V(0)))), V(1));
     const Square<V> square = Chart::inverse(Polar<V>{r, uniform.angle});
-    const Mask<V> hit = honest(q.inside, density_);
+    const Mask<V> hit = honest(q.inside, density());
     return {select(hit, clamp_variate(square.u), V(-1)), select(hit, clamp_variate(square.v), V(-1))};
   }
 
@@ -105,6 +105,9 @@ class RadialMap {
     SinCos<V> angle;  // θ
     V slope;          // dη/dθ
   };
+
+  // In η it is this times 1 + h.
+  V density() const { return constant<V>(0.5 / pi) * cone_.inverse_ab; }
 
   typename EtaSeries<V>::Value along(const SinCos<V>& theta) const {
     const V sin2 = V(2) * theta.sin;
@@ -134,14 +137,14 @@ class RadialMap {
   V pdf(V x, V y, Mask<V> hit) const {
     const EllipsePoint<V> q = ellipse_point(x, y);
     const V h = rim_height(cone_, q.eta.cos * q.eta.cos, q.eta.sin * q.eta.sin);
-    const V density = density_ * ((V(1) + h) / uniform_angle(q.eta).slope);
-    return select(honest(hit && cone_.valid, density), density, V(0));
+    const V p = density() * ((V(1) + h) / uniform_angle(q.eta).slope);
+    return select(honest(hit && cone_.valid, p), p, V(0));
   }
 
   // Direction, distance and place of q. On the disk its place is a Möbius map of the tangent ellipse's unit disk:
   //   τ = (y − κ)/(1 − κy),  σ = k' x/(1 − κy),  x = cos α S cos η/z,  y = cos β S sin η/z
   // along t̂ and n̂ × t̂. Where κ is near 1 the denominator is small and τ follows better from the distance.
-  void place(const EllipsePoint<V>& q, const Descent<V>& descent, DiskSample<V>& out) const {
+  HATBOX_INLINE void place(const EllipsePoint<V>& q, const Descent<V>& descent, DiskSample<V>& out) const {
     const V q_x = cone_.a * (q.S * q.eta.cos);
     const V S_sin = q.S * q.eta.sin;
     const V q_t = fma(cone_.m_t, q.z, cone_.m_n * (cone_.b * S_sin));
@@ -161,7 +164,6 @@ class RadialMap {
   const Constants<V>& light_;
   DiskCone<V> cone_;
   EtaSeries<V> series_;
-  V density_;  // 1/(2πab): the density in η is this times 1 + h
 };
 
 struct ConcentricChart {

@@ -27,6 +27,11 @@ inline V rim_height(const DiskCone<V>& cone, V cos2_eta, V sin2_eta) {
 }
 
 template <class V>
+inline V one_plus_rim_height(const DiskCone<V>& cone, V cos2_eta, V sin2_eta) {
+  return fma(cone.cos_beta, sqrt(fma(cone.k2, cos2_eta, sin2_eta)), V(1));
+}
+
+template <class V>
 struct EtaSeries {
   V p[6];  // P, lowest power first
 
@@ -56,7 +61,7 @@ struct ForwardSeries {
 };
 
 template <class V>
-inline ForwardSeries<V> forward_series(const DiskCone<V>& cone) {
+HATBOX_INLINE inline ForwardSeries<V> forward_series(const DiskCone<V>& cone) {
   // cos(i π/16); cos 2η at the midpoints η_j = (2j + 1)π/32 is ± those of odd i.
   constexpr double c1 = 0.98078528040323045, c3 = 0.83146961230254524, c5 = 0.55557023301960222,
                    c7 = 0.19509032201612827;
@@ -66,8 +71,8 @@ inline ForwardSeries<V> forward_series(const DiskCone<V>& cone) {
   // The even and the odd cosines see the sum or the difference of the two d_j of ± cos 2η.
   V sum[4], difference[4], product[4];
   for (int i = 0; i < 4; ++i) {
-    const V near = V(1) + rim_height(cone, constant<V>(0.5 + 0.5 * nodes[i]), constant<V>(0.5 - 0.5 * nodes[i]));
-    const V far = V(1) + rim_height(cone, constant<V>(0.5 - 0.5 * nodes[i]), constant<V>(0.5 + 0.5 * nodes[i]));
+    const V near = one_plus_rim_height(cone, constant<V>(0.5 + 0.5 * nodes[i]), constant<V>(0.5 - 0.5 * nodes[i]));
+    const V far = one_plus_rim_height(cone, constant<V>(0.5 - 0.5 * nodes[i]), constant<V>(0.5 + 0.5 * nodes[i]));
     sum[i] = near + far;
     difference[i] = far - near;
     product[i] = near * far;
@@ -96,30 +101,31 @@ inline ForwardSeries<V> forward_series(const DiskCone<V>& cone) {
 
 /// Lagrange's inversion of x + Σ B_k sin kx, where B_k counts as of order k, up to order six.
 template <class V>
-inline EtaSeries<V> eta_series(const DiskCone<V>& cone) {
+HATBOX_INLINE inline EtaSeries<V> eta_series(const DiskCone<V>& cone) {
   const auto [B1, B2, B3, B4, B5, B6] = forward_series(cone);
   const auto c = [](double value) { return constant<V>(value); };
   const V q = B1 * B1;
   const V B13 = B1 * B3, B15 = B1 * B5, B22 = B2 * B2, B23 = B2 * B3;
   const V B123 = B1 * B23;
 
-  const V S1 = fma(B1, fma(q, fma(q, c(-1.0 / 192), fma(B2, c(1.0 / 24), c(1.0 / 8))),
-                           fma(B13, c(-1.0 / 8), fma(B22, c(0.25), fma(B2, c(-0.5), V(-1))))),
+  const V S1 = fma(B1,
+                   fma(q, fma(q, c(-1.0 / 192), fma(B2, c(1.0 / 24), c(1.0 / 8))),
+                       fma(B13, c(-1.0 / 8), fma(B22, c(0.25), fma(B2, c(-0.5), V(-1))))),
                    c(-0.5) * B23);
-  const V S2 = fma(q, fma(q, fma(q, c(1.0 / 48), fma(B2, c(-5.0 / 24), c(-1.0 / 6))),
-                          fma(B13, c(0.5), fma(B22, c(-0.25), fma(B4, c(-0.5), B2 + V(0.5))))),
+  const V S2 = fma(q,
+                   fma(q, fma(q, c(1.0 / 48), fma(B2, c(-5.0 / 24), c(-1.0 / 6))),
+                       fma(B13, c(0.5), fma(B22, c(-0.25), fma(B4, c(-0.5), B2 + V(0.5))))),
                    fma(B2, fma(B22, c(0.5), -B4), B123 - B13 - B2));
-  const V S3 = fma(B1, fma(q, fma(q, c(27.0 / 128), fma(B2, c(-27.0 / 16), c(-3.0 / 8))),
-                           fma(B13, c(9.0 / 4), fma(B22, c(9.0 / 8), fma(B2, c(1.5), c(-1.5) * B4)))),
+  const V S3 = fma(B1,
+                   fma(q, fma(q, c(27.0 / 128), fma(B2, c(-27.0 / 16), c(-3.0 / 8))),
+                       fma(B13, c(9.0 / 4), fma(B22, c(9.0 / 8), fma(B2, c(1.5), c(-1.5) * B4)))),
                    -B3);
-  const V S4 = fma(q, fma(q, fma(q, c(-4.0 / 15), fma(B2, c(8.0 / 3), c(1.0 / 3))),
-                          fma(V(-4), B13 + B22 - B4, V(-2) * B2)),
-                   fma(V(4), B123, fma(V(2), B13 - B15, B22 - B4)));
-  const V S5 = fma(B1, fma(q, fma(q, c(-125.0 / 384), c(125.0 / 48) * B2),
-                           fma(c(-25.0 / 8), B13 + B22, c(2.5) * B4)),
+  const V S4 =
+      fma(q, fma(q, fma(q, c(-4.0 / 15), fma(B2, c(8.0 / 3), c(1.0 / 3))), fma(V(-4), B13 + B22 - B4, V(-2) * B2)),
+          fma(V(4), B123, fma(V(2), B13 - B15, B22 - B4)));
+  const V S5 = fma(B1, fma(q, fma(q, c(-125.0 / 384), c(125.0 / 48) * B2), fma(c(-25.0 / 8), B13 + B22, c(2.5) * B4)),
                    fma(c(2.5), B23, -B5));
-  const V S6 = fma(q, fma(q, fma(q, c(27.0 / 80), c(-27.0 / 8) * B2),
-                          fma(c(4.5), B13 - B4, c(6.75) * B22)),
+  const V S6 = fma(q, fma(q, fma(q, c(27.0 / 80), c(-27.0 / 8) * B2), fma(c(4.5), B13 - B4, c(6.75) * B22)),
                    fma(V(-9), B123, fma(V(3), fma(B2, B4, B15), fma(c(1.5), fma(B3, B3, -(B2 * B22)), -B6))));
 
   // Σ S_k sin 2kθ = sin 2θ · P(cos 2θ), by the Chebyshev polynomials of the second kind.

@@ -34,9 +34,8 @@ void run(const Schedule& schedule, std::size_t points, std::size_t per_point,
   }
   const std::size_t blocks = (points + block - 1) / block;
   tbb::this_task_arena::isolate([&] {
-    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t i) {
-      kernel(job, i * block, std::min(points, (i + 1) * block));
-    });
+    tbb::parallel_for(std::size_t{0}, blocks,
+                      [&](std::size_t i) { kernel(job, i * block, std::min(points, (i + 1) * block)); });
   });
 }
 

@@ -19,6 +19,9 @@
 #include <limits>
 #include <type_traits>
 
+// A kernel is one loop, in registers from load to store. Compilers think its larger parts too large to inline.
+#define HATBOX_INLINE __attribute__((always_inline))
+
 namespace hatbox::HATBOX_ISA {
 namespace {
 
@@ -72,6 +75,10 @@ inline IfScalar<T> max(T x, T y) {
   return x > y ? x : y;
 }
 template <class T>
+inline IfScalar<T> copysign(T magnitude, T sign) {  // of a magnitude >= 0
+  return std::copysign(magnitude, sign);
+}
+template <class T>
 inline IfScalar<T> load(const T* from, T) {
   return *from;
 }
@@ -94,9 +101,10 @@ struct Lanes<Packet> {
 inline Packet select(const PacketMask& mask, const Packet& yes, const Packet& no) {
 #if defined(__AVX512F__) || defined(__aarch64__)
   return xsimd::select(mask, yes, no);
-#else  // g++ 12 makes four to five micro-operations of a blend with a computed mask; these are three
-  const Packet bits(static_cast<Packet::register_type>(mask));
-  return (bits & yes) | (~bits & no);
+#elif defined(__AVX__)  // g++ 12 makes four to five micro-operations of a blend with a computed mask; these are three
+  return _mm256_or_ps(_mm256_and_ps(mask, yes), _mm256_andnot_ps(mask, no));
+#else
+  return _mm_or_ps(_mm_and_ps(mask, yes), _mm_andnot_ps(mask, no));
 #endif
 }
 inline Packet sqrt(const Packet& x) { return xsimd::sqrt(x); }
@@ -108,6 +116,7 @@ inline Packet max(const Packet& x, const Packet& y) { return xsimd::max(x, y); }
 inline Packet min(const Packet& x, const Packet& y) { return select(x < y, x, y); }
 inline Packet max(const Packet& x, const Packet& y) { return select(x > y, x, y); }
 #endif
+inline Packet copysign(const Packet& magnitude, const Packet& sign) { return magnitude | (sign & Packet(-0.0f)); }
 inline Packet load(const float* from, const Packet&) { return Packet::load_unaligned(from); }
 inline void store(float* to, const Packet& x) { x.store_unaligned(to); }
 #else

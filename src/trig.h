@@ -14,20 +14,23 @@ struct SinCos {
   V sin, cos;
 };
 
-/// Max error: 1 ulp of 1, for |x| <= π/4. The fits are within 4e-9 (sin) and 1e-10 (cos), relative.
+/// Of π/4·x. Max error: 1 ulp of 1, for |x| <= 1. The fits are within 4e-9 (sin) and 1e-10 (cos), relative.
 template <class V>
-inline SinCos<V> sincos_eighth(V x) {
+inline SinCos<V> sincos_octant(V x) {
   if constexpr (std::is_same_v<V, double>) {
-    return {std::sin(x), std::cos(x)};
+    return {std::sin(pi / 4 * x), std::cos(pi / 4 * x)};
   } else {
     const V y = x * x;
-    const V s = fma(fma(constant<V>(-1.95172990e-4), y, constant<V>(8.33217815e-3)), y, constant<V>(-1.66666549e-1));
-    const V c = fma(fma(constant<V>(2.44384516e-5), y, constant<V>(-1.38873675e-3)), y, constant<V>(4.16666469e-2));
-    return {fma(s * y, x, x), fma(c * y, y, fma(constant<V>(-0.5), y, constant<V>(1)))};
+    const V s = fma(fma(constant<V>(-3.597898312126e-05), y, constant<V>(2.490049345575e-03)), y,
+                    constant<V>(-8.074545539366e-02));
+    const V c = fma(fma(fma(constant<V>(3.538284392469e-06), y, constant<V>(-3.259561781469e-04)), y,
+                        constant<V>(1.585433670973e-02)),
+                    y, constant<V>(-3.084251375340e-01));
+    return {x * fma(s, y, constant<V>(pi / 4)), fma(c, y, V(1))};
   }
 }
 
-/// The same for |x| <= 0.2, by Taylor's series: max error 1 ulp of 1.
+/// Of x itself, for |x| <= 0.2, by Taylor's series: max error 1 ulp of 1.
 template <class V>
 inline SinCos<V> sincos_small(V x) {
   if constexpr (std::is_same_v<V, double>) {
@@ -53,7 +56,7 @@ inline V atan_unit(V x) {
     return std::atan(x);
   } else {
     const V y = x * x;
-    constexpr double fit[] = {2.97459611e-3, -1.65812058e-2, 4.35535731e-2,  -7.58058084e-2,
+    constexpr double fit[] = {2.97459611e-3, -1.65812058e-2, 4.35535731e-2, -7.58058084e-2,
                               1.06789415e-1, -1.42142094e-1, 1.99941372e-1, -3.33331670e-1};
     V p = constant<V>(fit[0]);
     for (int i = 1; i < 8; ++i) p = fma(p, y, constant<V>(fit[i]));

@@ -69,6 +69,10 @@ inline Twin<V> max(const Twin<V>& x, const Twin<V>& y) {
   return {max(x.first, y.first), max(x.second, y.second)};
 }
 template <class V>
+inline Twin<V> copysign(const Twin<V>& x, const Twin<V>& y) {
+  return {copysign(x.first, y.first), copysign(x.second, y.second)};
+}
+template <class V>
 inline Twin<V> fma(const Twin<V>& x, const Twin<V>& y, const Twin<V>& z) {
   return {fma(x.first, y.first, z.first), fma(x.second, y.second, z.second)};
 }

@@ -7,7 +7,7 @@
 namespace hatbox::HATBOX_ISA {
 namespace {
 
-/// A point of the unit disk: signed radius r and angle θ; (−r, θ) means (r, θ + π).
+/// A point of the unit disk, 0 <= radius < 1.
 template <class V>
 struct Polar {
   V radius;
@@ -25,19 +25,23 @@ inline V clamp_variate(V x) {
   return max(min(constant<V>(last_below_one<V>), x), V(0));
 }
 
-/// Concentric map (Shirley and Chiu 1997), with the signed radius of Cline's branch-free form.
+/// Concentric map (Shirley and Chiu 1997), the eight sectors folded into one. Clamps like clamp_variate; the four edges
+/// of the square are alike, an ulp inside the rim.
 template <class V>
 inline Polar<V> concentric(V u, V v) {
   const V a = fma(V(2), u, V(-1));
   const V b = fma(V(2), v, V(-1));
-  const Mask<V> flat = abs(a) > abs(b);  // the sectors around the u axis; the others are measured from the v axis
-  const V r = select(flat, a, b);
-  const V ratio = select(flat, b, a) / select(r == V(0), V(1), r);
-  const SinCos<V> phi = sincos_eighth(constant<V>(pi / 4) * ratio);
-  return {r, {select(flat, phi.sin, phi.cos), select(flat, phi.cos, phi.sin)}};
+  const V abs_a = abs(a), abs_b = abs(b);
+  const V edge = constant<V>(2 * last_below_one<V> - 1);
+  const V major = min(max(abs_a, abs_b), edge);
+  const V minor = min(min(abs_a, abs_b), edge);
+  // The sum is major itself, but for the centre, where it keeps the quotient at 0.
+  const SinCos<V> phi = sincos_octant(minor / (major + constant<V>(smallest_normal<V>)));
+  const Mask<V> flat = abs_a > abs_b;  // nearer the u axis than the v axis
+  return {major, {copysign(select(flat, phi.sin, phi.cos), b), copysign(select(flat, phi.cos, phi.sin), a)}};
 }
 
-/// The inverse of `concentric`, for radius >= 0. Exact to a few ulp of 1.
+/// The inverse of `concentric`, exact to a few ulp of 1.
 template <class V>
 inline Square<V> concentric_inverse(const Polar<V>& p) {
   const Mask<V> flat = abs(p.angle.cos) > abs(p.angle.sin);
@@ -53,19 +57,19 @@ inline Square<V> concentric_inverse(const Polar<V>& p) {
 /// θ = 2πu, radius √v.
 template <class V>
 inline Polar<V> polar(V u, V v) {
-  const Mask<V> upper = u >= V(0.5);
-  const V half_turn = select(upper, u - V(0.5), u);  // θ less the half turn that the sign of the radius makes up for
+  const V turn = clamp_variate(u);
+  const Mask<V> upper = turn >= V(0.5);
+  const V half_turn = select(upper, turn - V(0.5), turn);
   const Mask<V> middle = (half_turn >= V(0.125)) && (half_turn < V(0.375));
-  const V offset = select(middle, V(0.25), select(half_turn < V(0.125), V(0), V(0.5)));
-  const SinCos<V> phi = sincos_eighth(constant<V>(2 * pi) * (half_turn - offset));
   const Mask<V> past = half_turn >= V(0.375);
+  const V offset = select(middle, V(0.25), select(past, V(0.5), V(0)));
+  const SinCos<V> phi = sincos_octant(V(8) * (half_turn - offset));
   const V sin = select(middle, phi.cos, select(past, -phi.sin, phi.sin));
   const V cos = select(middle, -phi.sin, select(past, -phi.cos, phi.cos));
-  const V r = sqrt(v);
-  return {select(upper, -r, r), {sin, cos}};
+  return {sqrt(clamp_variate(v)), {select(upper, -sin, sin), select(upper, -cos, cos)}};
 }
 
-/// The inverse of `polar`, for radius >= 0.
+/// The inverse of `polar`.
 template <class V>
 inline Square<V> polar_inverse(const Polar<V>& p) {
   const Mask<V> flat = abs(p.angle.cos) > abs(p.angle.sin);

@@ -187,7 +187,7 @@ TEST_P(DiskUniformitySlow, DensityTimesSolidAngleIsOne) {
   for (const DiskMap map : {DiskMap::ld_radial, DiskMap::radial}) {
     constexpr std::size_t sides[] = {1, 16};  // one sample a point, and many that share the set-up
     for (const std::size_t side : sides) {
-      const std::size_t n = side == 1 ? 50000 : 5000;
+      const std::size_t n = side == 1 ? 20000 : 4000;
       const auto w1 = variations(Workload::w1, map, n, side);
       const auto w2 = variations(Workload::w2, map, n, side);
       const auto w3 = variations(Workload::w3, map, n, side);

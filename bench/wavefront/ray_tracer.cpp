@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 #include <string>
 
@@ -14,7 +13,7 @@ template <class T>
 void set_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, const std::vector<T>& data) {
   void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(T), data.size());
   if (!buffer) throw std::runtime_error("Embree has no memory for the scene");
-  std::memcpy(buffer, data.data(), data.size() * sizeof(T));
+  std::copy(data.begin(), data.end(), static_cast<T*>(buffer));
 }
 
 V3f to_v3f(const hatbox::Vec3& v) { return {v.x, v.y, v.z}; }

@@ -161,7 +161,7 @@ class Reader {
     if (!disk) element.fail("only a disk can be a light");
     if (const auto wrong = hatbox::check(*disk); !wrong.empty()) element.fail(std::string(wrong));
     Properties properties(element, element.children({}));
-    const Emitter emitter{*disk, properties.colour("radiance", Rgb(1.0f)), properties.boolean("doubleSided", false)};
+    Emitter emitter{*disk, properties.colour("radiance", Rgb(1.0f)), properties.boolean("doubleSided", false)};
     properties.note_unused(scene_.ignored);
     return emitter;
   }

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 namespace wavefront {
 namespace {
@@ -28,6 +29,13 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 struct Block {
   std::size_t first_hit, hits;
 };
+
+std::size_t pixels_per_block(const RenderSettings& settings) {
+  if (settings.width < 1 || settings.height < 1) throw std::invalid_argument("the picture has no pixels");
+  const std::size_t lanes_per_pixel = std::size_t{settings.spp} * settings.light_samples;
+  if (lanes_per_pixel == 0) throw std::invalid_argument("a pixel needs at least one sample");
+  return std::max<std::size_t>(1, lanes_per_block / lanes_per_pixel);
+}
 
 class Renderer {
  public:
@@ -75,8 +83,7 @@ Renderer::Renderer(const Scene& scene, const RayTracer& tracer, const RenderSett
       camera_(scene.view, settings.width, settings.height),
       camera_sampler_(settings.sampler, std::bit_ceil(settings.spp)),
       light_sampler_(settings.sampler, settings.spp * settings.light_samples),
-      pixels_per_block_(
-          std::max<std::size_t>(1, lanes_per_block / (std::size_t{settings.spp} * settings.light_samples))),
+      pixels_per_block_(pixels_per_block(settings)),
       blocks_(blocks_per_chunk),
       result_{Image(settings.width, settings.height)} {}
 
@@ -112,12 +119,14 @@ void Renderer::trace_camera_rays(std::size_t block) {
 V3f Renderer::camera_direction(std::size_t path) const {
   constexpr std::uint64_t camera_seed = 0x63616d657261;  // no setting enters: see RenderSettings
   const std::size_t pixel = pixel_of(path);
-  const auto width = static_cast<std::size_t>(settings_.width);
-  const auto index = static_cast<std::uint32_t>(path % settings_.spp);
+  const std::size_t column = pixel % static_cast<std::size_t>(settings_.width);
+  const std::size_t row = pixel / static_cast<std::size_t>(settings_.width);
   const std::uint64_t key = hash(camera_seed, pixel);
   // Shuffled, or the sample of the light would be a function of the place in the pixel.
-  const Sample2 place = camera_sampler_(key, shuffle_index(index, std::bit_width(settings_.spp - 1), ~key));
-  return camera_.direction(static_cast<float>(pixel % width) + place.x, static_cast<float>(pixel / width) + place.y);
+  const auto index_bits = static_cast<int>(std::bit_width(settings_.spp - 1));
+  const auto index = shuffle_index(static_cast<std::uint32_t>(path % settings_.spp), index_bits, ~key);
+  const Sample2 place = camera_sampler_(key, index);
+  return camera_.direction(static_cast<float>(column) + place.x, static_cast<float>(row) + place.y);
 }
 
 void Renderer::trace_camera_packet(std::size_t first_path, unsigned lanes, Block& block) {

@@ -15,9 +15,9 @@ namespace wavefront {
 /// `light_samples` samples of each light.
 ///
 /// The places depend on spp, the size and the kind of sampler, not on the seed. So the images of one scene differ by
-/// their light samples alone, and a difference to a reference with the same places (and more light samples at each) is
-/// the error of light sampling: were the places drawn anew, noise at the silhouettes, which is the same for every map,
-/// would drown it.
+/// their light samples alone, and the difference to a reference with the same places (and more light samples at each)
+/// is the error of light sampling and nothing else: places drawn anew for every image would add the noise of the
+/// silhouettes, the same for every map.
 struct RenderSettings {
   int width;
   int height;
