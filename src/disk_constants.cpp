@@ -28,7 +28,8 @@ template <class T>
 DiskConstantsOf<T> disk_constants(const Disk& light) {
   const double nx = light.normal.x, ny = light.normal.y, nz = light.normal.z;
   const double length = std::sqrt(nx * nx + ny * ny + nz * nz);
-  const Frame frame = frame_of({nx / length, ny / length, nz / length});
+  const double to_unit = 1.0 / length, to_radii = 1.0 / double{light.radius};
+  const Frame frame = frame_of({nx * to_unit, ny * to_unit, nz * to_unit});
   const double axes[3][3] = {
       {frame.u.x, frame.u.y, frame.u.z}, {frame.v.x, frame.v.y, frame.v.z}, {frame.n.x, frame.n.y, frame.n.z}};
 
@@ -38,14 +39,14 @@ DiskConstantsOf<T> disk_constants(const Disk& light) {
   constants.center[2] = light.center.z;
   for (int row = 0; row < 3; ++row) {
     for (int i = 0; i < 3; ++i) {
-      const double scaled = axes[row][i] / double{light.radius};
+      const double scaled = axes[row][i] * to_radii;
       constants.axes[row][i] = static_cast<T>(axes[row][i]);
       constants.axes_hi[row][i] = static_cast<T>(scaled);
       constants.axes_lo[row][i] = static_cast<T>(scaled - double{constants.axes_hi[row][i]});
     }
   }
   constants.radius = light.radius;
-  constants.inverse_radius = static_cast<T>(1.0 / double{light.radius});
+  constants.inverse_radius = static_cast<T>(to_radii);
   return constants;
 }
 

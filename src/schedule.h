@@ -14,10 +14,10 @@ struct Schedule {
   std::size_t grain = 0;  // points a block at least; 0: chosen here
 };
 
-/// Points a block, for k samples each: about what fits the second-level cache with its inputs and outputs, and a
-/// multiple of the widest packet, so that only the job's last packet is a partial one.
+/// Points a block, for k samples each: about what fits the first-level cache with its inputs and outputs and is worth a
+/// task, and a multiple of the widest packet, so that only the job's last packet is a partial one.
 inline std::size_t block_size(std::size_t grain, std::size_t per_point) {
-  constexpr std::size_t widest_packet = 16, samples_per_block = 4096;
+  constexpr std::size_t widest_packet = 32, samples_per_block = 1024;
   const std::size_t points = grain != 0 ? grain : samples_per_block / std::max<std::size_t>(per_point, 1);
   return std::max<std::size_t>(points / widest_packet, 1) * widest_packet;
 }
