@@ -119,7 +119,7 @@ class Registry {
 std::vector<Case> register_disk_cases() {
   Registry registry;
   for (const std::size_t points : {std::size_t{16}, std::size_t{4096}, std::size_t{1} << 20}) {
-    for (const std::size_t k : {1, 16}) {
+    for (const std::size_t k : {std::size_t{1}, std::size_t{16}}) {
       for (const int threads : {1, 2}) {
         const Case base{.threads = threads, .samples_per_point = k, .points = points};
         Case copying = base;
