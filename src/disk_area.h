@@ -29,7 +29,7 @@ class AreaMap {
     out.pdf = ray.pdf;
     out.cosine = -height_ * ray.inverse_distance;
     out.place = place;
-    out.valid = honest(is_finite(u + v), out.pdf);
+    out.valid = honest(is_finite(u + v) && is_finite(out.distance + ray.inverse_distance), out.pdf);
     return out;
   }
 

@@ -14,7 +14,7 @@ struct EllipseHit {
   Mask<V> inside;
 };
 
-/// Of a direction only a few ulp are known: what these could move inside counts as a hit.
+/// A sampled direction is right to a few ulp: what these could move inside counts as a hit.
 template <class V>
 inline EllipseHit<V> ellipse_hit(const Constants<V>& light, const DiskCone<V>& cone, const V (&direction)[3]) {
   EllipseHit<V> hit;
@@ -29,17 +29,17 @@ inline EllipseHit<V> ellipse_hit(const Constants<V>& light, const DiskCone<V>& c
   hit.x = q_x / cone.a;
   hit.y = q_y / cone.b;
   hit.z = fma(cone.m_t, q_t, cone.m_n * q_n);
-  const V blur = constant<V>(4 * std::numeric_limits<Scalar<V>>::epsilon());
+  const V blur = constant<V>(8 * std::numeric_limits<Scalar<V>>::epsilon());
   const V x = max(abs(q_x) - blur, V(0)) / cone.a;
   const V y = max(abs(q_y) - blur, V(0)) / cone.b;
   hit.inside = cone.valid && (fma(x, x, y * y) <= V(1)) && (hit.z > -blur) && (q_n > -blur);
   return hit;
 }
 
-/// Likewise for a place on the disk, in radii.
+/// Likewise for a place on the disk, in radii: a sampled one is within 16 ulp of it.
 template <class V>
 inline Mask<V> on_disk(V s, V t) {
-  return fma(s, s, t * t) <= constant<V>(1 + 4 * std::numeric_limits<Scalar<V>>::epsilon());
+  return fma(s, s, t * t) <= constant<V>(1 + 32 * std::numeric_limits<Scalar<V>>::epsilon());
 }
 
 }  // namespace

@@ -34,8 +34,9 @@ HATBOX_INLINE inline Descent<V> descent(const DiskCone<V>& cone, const EllipsePo
                                         V inverse_1_plus_h) {
   const V tilt = cone.kappa * cone.cos_beta * q.S * q.eta.sin;
   const V conjugate = q.z + abs(tilt);
-  // Over a², so that neither the far nor the grazing light underflows.
-  const V b2 = cone.b_over_a * cone.b_over_a + constant<V>(smallest_normal<V>);
+  // Over a², so that the far light does not underflow; for the grazing one the floor keeps 0/0 at a quotient of 1.
+  constexpr double floor = smallest_normal<V> / std::numeric_limits<Scalar<V>>::epsilon();
+  const V b2 = fma(cone.b_over_a, cone.b_over_a, constant<V>(floor));
   const V K = cone.a * cone.d * cone.cos_beta;  // √K/a
   const V K2 = K * K;
   const V cos2 = q.eta.cos * q.eta.cos;
@@ -72,8 +73,8 @@ class RadialMap {
 
     DiskSample<V> out;
     out.pdf = density() * (one_plus_h * one_plus_h * shared);
-    out.valid = honest(cone_.valid && is_finite(u + v), out.pdf);
     place(q, descent(cone_, q, one_minus_t, h, shared * slope), out);
+    out.valid = honest(cone_.valid && is_finite(u + v) && is_finite(out.distance), out.pdf);
     return out;
   }
 

@@ -22,10 +22,10 @@ struct DiskSample {
   Mask<V> valid;
 };
 
-/// A lane is good if its input was and nothing on the way under- or overflowed.
+/// A lane is good if its input was and its result, a density or a solid angle, neither under- nor overflowed.
 template <class V>
-inline Mask<V> honest(Mask<V> valid, V pdf) {
-  return valid && (pdf > V(0)) && (pdf < constant<V>(infinity<V>));
+inline Mask<V> honest(Mask<V> valid, V result) {
+  return valid && (result >= constant<V>(smallest_normal<V>)) && (result < constant<V>(infinity<V>));
 }
 
 template <class V>

@@ -19,8 +19,13 @@
 #include <limits>
 #include <type_traits>
 
-// A kernel is one loop, in registers from load to store. Compilers think its larger parts too large to inline.
+// A kernel is one loop, in registers from load to store. Compilers think its larger parts too large to inline; under
+// sanitizers, which make them ten times as large, they are right.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define HATBOX_INLINE
+#else
 #define HATBOX_INLINE __attribute__((always_inline))
+#endif
 
 namespace hatbox::HATBOX_ISA {
 namespace {
