@@ -115,7 +115,8 @@ class RadialMap {
     return series_(fma(-sin2, theta.sin, V(1)), sin2 * theta.cos);
   }
 
-  // η ↦ θ by Newton's method: |η − θ| < 0.15, and three steps are exact to float everywhere.
+  // η ↦ θ by Newton's method: |η − θ| < 0.15, three steps are exact to float everywhere, and the
+  // fourth is for the slope there.
   Uniform uniform_angle(const SinCos<V>& eta) const {
     Uniform out = {eta, V(1)};
     V back = V(0);  // θ − η

@@ -14,9 +14,6 @@ struct TwinMask {
   friend TwinMask operator&&(const TwinMask& x, const TwinMask& y) {
     return {x.first && y.first, x.second && y.second};
   }
-  friend TwinMask operator||(const TwinMask& x, const TwinMask& y) {
-    return {x.first || y.first, x.second || y.second};
-  }
   TwinMask operator!() const { return {!first, !second}; }
 };
 
