@@ -1,5 +1,5 @@
 // The cone of directions from a shading point to a disk: the spherical ellipse's semi-axes, centre and frame, without
-// cancellation. Lengths are in radii of the disk.
+// cancellation, and the way between its points and the disk's. Lengths are in radii of the disk.
 //
 // Source: Guillén et al. 2017, eq. 3-5, rearranged. With the heights and rim distances of the shading point
 //   ℓ0 = √((d − 1)² + h²),  ℓ1 = √((d + 1)² + h²),  L = ℓ0 ℓ1,  s = d² + h² − 1,  X = d² − h² − 1
@@ -14,26 +14,35 @@
 
 #include "compensated.h"
 #include "kernel_table.h"
+#include "light_sample.h"
+#include "spherical_ellipse.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {
 
 template <class V>
-using Constants = DiskConstantsOf<Scalar<V>>;
+using DiskLight = DiskConstantsOf<Scalar<V>>;
 
+/// Of a disk: |h| > 0, x̂_e = n̂ × t̂, ŷ_e away from the shading point's foot.
 template <class V>
-struct DiskCone {
-  Mask<V> valid;  // false in the disk's plane and for non-finite points; the rest is then of no use
+struct DiskCone : SphericalEllipse<V> {
+  HATBOX_INLINE DiskCone(const DiskLight<V>& disk, V x, V y, V z);
+
+  /// Direction, distance, cosine and place of a point of the ellipse.
+  HATBOX_INLINE void emit(const EllipsePoint<V>& q, LightSample<V>& out) const;
+
+  /// Where a direction of unit length lies. A sampled one is right to a few ulp: what these could move inside, is.
+  EllipseHit<V> hit(const V (&direction)[3]) const;
+
+  /// The angle η of the direction to a place on the disk.
+  SinCos<V> eta_of(const Place<V>& place) const;
+
+  const DiskLight<V>& light;
   Mask<V> below;  // the shading point lies on the side of −normal
-  V height, d;    // |h| > 0 and d of the above
+  V height, d;    // |h| and d of the above
   V t_u, t_v;     // t̂ in the disk's own axes; any unit vector for a point on the axis
-  V a, b;         // sin α, sin β
-  V inverse_ab;   // of use where their product would underflow
-  V b_over_a;     // of use where both would underflow when squared
-  V cos_beta;
-  V k2;        // k'²
-  V kappa;     // κ
-  V m_t, m_n;  // see above
+  V kappa;
+  V m_t, m_n;
   V height_over_m_n;
 };
 
@@ -46,7 +55,7 @@ struct DiskLocal {
 // A rounded difference, u or v is the exact one of a point or a light an ulp aside, which is all that is known of them.
 // The height is not that forgiving: next to the disk's plane the products cancel, and are compensated.
 template <class V>
-HATBOX_INLINE inline DiskLocal<V> to_disk(const Constants<V>& light, V x, V y, V z) {
+HATBOX_INLINE inline DiskLocal<V> to_disk(const DiskLight<V>& light, V x, V y, V z) {
   const V l[3] = {V(light.center[0]) - x, V(light.center[1]) - y, V(light.center[2]) - z};
   const auto rounded = [&](const Scalar<V>(&axis)[3]) {
     return fma(l[0], V(axis[0]), fma(l[1], V(axis[1]), l[2] * V(axis[2])));
@@ -72,11 +81,10 @@ HATBOX_INLINE inline Halves<V> halves(V inverse_L, V x, V half_root) {
 }
 
 template <class V>
-HATBOX_INLINE inline DiskCone<V> disk_cone(const Constants<V>& light, V x, V y, V z) {
+HATBOX_INLINE inline DiskCone<V>::DiskCone(const DiskLight<V>& disk, V x, V y, V z) : light(disk) {
   const DiskLocal<V> l = to_disk(light, x, y, z);
-  DiskCone<V> cone;
-  cone.height = abs(l.n);
-  cone.below = l.n > V(0);
+  height = abs(l.n);
+  below = l.n > V(0);
 
   const Pair<V> uu = two_product(l.u, l.u), vv = two_product(l.v, l.v);
   const Pair<V> sum = two_sum(uu.high, vv.high);
@@ -84,37 +92,107 @@ HATBOX_INLINE inline DiskCone<V> disk_cone(const Constants<V>& light, V x, V y, 
   const V d2_minus_1 = rest.high + (rest.low + (sum.low + (uu.low + vv.low)));
   const V d2 = sum.high;
   const Mask<V> off_axis = d2 >= constant<V>(smallest_normal<V>);
-  cone.d = select(off_axis, sqrt(d2), V(0));
-  const V far = cone.d + V(1);
-  const V nonzero_d = select(off_axis, cone.d, V(1));
+  d = select(off_axis, sqrt(d2), V(0));
+  const V far = d + V(1);
+  const V nonzero_d = select(off_axis, d, V(1));
   const V shared = V(1) / (nonzero_d * far);  // one division for 1/d and 1/(d + 1)
   const V inverse_d = far * shared;
-  cone.t_u = select(off_axis, l.u * inverse_d, V(1));
-  cone.t_v = select(off_axis, l.v * inverse_d, V(0));
+  t_u = select(off_axis, l.u * inverse_d, V(1));
+  t_v = select(off_axis, l.v * inverse_d, V(0));
 
-  const V h2 = cone.height * cone.height;
+  const V h2 = height * height;
   const V near = d2_minus_1 * (nonzero_d * shared);
   // The max keeps ℓ0 from underflowing to 0 right above or beside the rim.
-  const V rim0 = max(sqrt(fma(near, near, h2)), max(cone.height, abs(near)));
+  const V rim0 = max(sqrt(fma(near, near, h2)), max(height, abs(near)));
   const V rim1 = sqrt(fma(far, far, h2));
   const V L = rim0 * rim1;
   const V inverse_L = V(1) / L;
-  const Halves<V> beta = halves(inverse_L, d2_minus_1 + h2, cone.height);
-  const Halves<V> m = halves(inverse_L, d2_minus_1 - h2, cone.height * cone.d);
+  const Halves<V> beta = halves(inverse_L, d2_minus_1 + h2, height);
+  const Halves<V> m = halves(inverse_L, d2_minus_1 - h2, height * d);
   const V inverse_a = V(0.5) * (rim0 + rim1);
-  cone.b = beta.minus;
-  cone.b_over_a = beta.minus * inverse_a;
-  const V a_over_b = V(1) / cone.b_over_a;
-  cone.a = min(cone.b * a_over_b, V(1));
-  cone.inverse_ab = inverse_a * inverse_a * a_over_b;
-  cone.cos_beta = beta.plus;
-  cone.k2 = L * cone.a * cone.a;
-  cone.kappa = cone.a * cone.a * cone.d;
-  cone.m_t = m.plus;
-  cone.m_n = m.minus;
-  cone.height_over_m_n = select(m.positive, L * (m.large * inverse_d), cone.height * m.inverse_large);
-  cone.valid = (cone.height > V(0)) && (d2 + h2 < constant<V>(infinity<V>));
-  return cone;
+  const V a_over_b = V(1) / (beta.minus * inverse_a);
+  this->b = beta.minus;
+  this->a = min(this->b * a_over_b, V(1));
+  this->inverse_ab = inverse_a * inverse_a * a_over_b;
+  this->cos_beta = beta.plus;
+  this->k2 = L * this->a * this->a;
+  kappa = this->a * this->a * d;
+  m_t = m.plus;
+  m_n = m.minus;
+  height_over_m_n = select(m.positive, L * (m.large * inverse_d), height * m.inverse_large);
+  this->valid = (height > V(0)) && (d2 + h2 < constant<V>(infinity<V>));
+}
+
+/// How near the light's plane a direction lies: n̂·q = m_n·value, distance = |h|/(m_n·value).
+template <class V>
+struct Descent {
+  V value, inverse;
+};
+
+// It is z − κ Y, with X = cos α x and Y = cos β y, which cancels where a ray grazes the far half of the disk. Times its
+// conjugate z + κ Y it is, since z² = X² + Y² + (1 − x² − y²), a sum of positive terms:
+//   k'² z² + κ² (1 − x² − y² + X²)
+template <class V>
+HATBOX_INLINE inline Descent<V> descent(const DiskCone<V>& cone, const EllipsePoint<V>& q) {
+  const V tilt = cone.kappa * cone.cos_beta * q.y;
+  const V conjugate = q.z + abs(tilt);
+  const V X = cone.cos_beta * q.x;  // over k'
+  const V product = fma(cone.kappa * cone.kappa, fma(cone.k2 * X, X, q.inwards), cone.k2 * (q.z * q.z));
+  const Mask<V> away = tilt > V(0);
+  const V numerator = select(away, product, conjugate);
+  const V denominator = select(away, conjugate, V(1));
+  return {numerator / denominator, denominator / numerator};
+}
+
+// On the disk the place of q is a Möbius map of the tangent ellipse's unit disk:
+//   τ = (Y/z − κ)/(1 − κ Y/z),  σ = k' (X/z)/(1 − κ Y/z)
+// along t̂ and n̂ × t̂. Where κ is near 1 the denominator is small and τ follows better from the distance.
+template <class V>
+HATBOX_INLINE inline void DiskCone<V>::emit(const EllipsePoint<V>& q, LightSample<V>& out) const {
+  const Descent<V> down = descent(*this, q);
+  const V q_x = this->a * q.x;
+  const V q_t = fma(m_t, q.z, m_n * (this->b * q.y));
+  const V q_n = m_n * down.value;
+  const V along[3] = {fma(q_t, t_u, -(q_x * t_v)), fma(q_t, t_v, q_x * t_u), select(below, q_n, -q_n)};
+  for (int i = 0; i < 3; ++i) {
+    out.direction[i] =
+        fma(V(light.axes[0][i]), along[0], fma(V(light.axes[1][i]), along[1], V(light.axes[2][i]) * along[2]));
+  }
+  out.cosine = -along[2];
+  const V distance = height_over_m_n * down.inverse;
+  out.distance = distance * V(light.radius);
+  const V far_tau = fma(-kappa, q.z, this->cos_beta * q.y) * down.inverse;
+  const V near_tau = fma(distance, q_t, -d);
+  const V tau = select(kappa < V(0.5), far_tau, near_tau);
+  const V sigma = distance * q_x;
+  out.place = {fma(tau, t_u, -(sigma * t_v)), fma(tau, t_v, sigma * t_u)};
+}
+
+template <class V>
+inline EllipseHit<V> DiskCone<V>::hit(const V (&direction)[3]) const {
+  const V q_u = along(light.axes[0], direction), q_v = along(light.axes[1], direction);
+  const V normal = along(light.axes[2], direction);
+  const V q_t = fma(q_u, t_u, q_v * t_v);
+  const V q_n = select(below, normal, -normal);
+  const V q_x = fma(q_v, t_u, -(q_u * t_v));
+  const V q_y = fma(m_n, q_t, -(m_t * q_n));
+  EllipseHit<V> hit;
+  hit.x = q_x / this->a;
+  hit.y = q_y / this->b;
+  hit.z = fma(m_t, q_t, m_n * q_n);
+  const V blur = constant<V>(8 * std::numeric_limits<Scalar<V>>::epsilon());
+  const V x = max(abs(q_x) - blur, V(0)) / this->a;
+  const V y = max(abs(q_y) - blur, V(0)) / this->b;
+  hit.inside = this->valid && (fma(x, x, y * y) <= V(1)) && (hit.z > -blur) && (q_n > -blur);
+  return hit;
+}
+
+/// `emit`'s Möbius map, inverted: tan η = (Y/cos β)/(X/cos α) = (τ + κ)/σ.
+template <class V>
+inline SinCos<V> DiskCone<V>::eta_of(const Place<V>& place) const {
+  const V tau = fma(place.s, t_u, place.t * t_v);
+  const V sigma = fma(place.t, t_u, -(place.s * t_v));
+  return angle_of(sigma, tau + kappa).angle;
 }
 
 }  // namespace

@@ -14,42 +14,43 @@
 // midpoints and fifth order leave 6e-5 there, eight and fifth 2e-5, ten and seventh 2e-6.
 #pragma once
 
-#include "disk_cone.h"
-#include "trig.h"
+#include "spherical_ellipse.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {
 
-/// h(η) of the cone's ellipse.
 template <class V>
-inline V rim_height(const DiskCone<V>& cone, V cos2_eta, V sin2_eta) {
-  return cone.cos_beta * sqrt(fma(cone.k2, cos2_eta, sin2_eta));
-}
-
-template <class V>
-inline V one_plus_rim_height(const DiskCone<V>& cone, V cos2_eta, V sin2_eta) {
+inline V one_plus_rim_height(const SphericalEllipse<V>& cone, V cos2_eta, V sin2_eta) {
   return fma(cone.cos_beta, sqrt(fma(cone.k2, cos2_eta, sin2_eta)), V(1));
 }
 
 template <class V>
-struct EtaSeries {
-  V p[6];  // P, lowest power first
+struct AngleShift {
+  V shift, slope;  // η − θ, dη/dθ
+};
 
-  struct Value {
-    V shift, slope;  // η − θ, dη/dθ
-  };
-  Value operator()(V cos_2theta, V sin_2theta) const;
+/// Made once a shading point. Any class with this constructor and call can stand in its place (radial_map.h).
+template <class V>
+class EtaSeries {
+ public:
+  template <class Light>
+  HATBOX_INLINE EtaSeries(const Light&, const SphericalEllipse<V>& cone);
+
+  AngleShift<V> operator()(V cos_2theta, V sin_2theta) const;
+
+ private:
+  V p_[6];  // P, lowest power first
 };
 
 template <class V>
-inline typename EtaSeries<V>::Value EtaSeries<V>::operator()(V x, V s) const {
-  V value = p[5];
-  V derivative = p[5];
+inline AngleShift<V> EtaSeries<V>::operator()(V x, V s) const {
+  V value = p_[5];
+  V derivative = p_[5];
   for (int i = 4; i > 0; --i) {
-    value = fma(value, x, p[i]);
+    value = fma(value, x, p_[i]);
     derivative = fma(derivative, x, value);
   }
-  value = fma(value, x, p[0]);
+  value = fma(value, x, p_[0]);
   // d/dθ [½ s P(x)] with x = cos 2θ, s = sin 2θ
   return {V(0.5) * s * value, fma(-(s * s), derivative, fma(x, value, V(1)))};
 }
@@ -61,7 +62,7 @@ struct ForwardSeries {
 };
 
 template <class V>
-HATBOX_INLINE inline ForwardSeries<V> forward_series(const DiskCone<V>& cone) {
+HATBOX_INLINE inline ForwardSeries<V> forward_series(const SphericalEllipse<V>& cone) {
   // cos(i π/16); cos 2η at the midpoints η_j = (2j + 1)π/32 is ± those of odd i.
   constexpr double c1 = 0.98078528040323045, c3 = 0.83146961230254524, c5 = 0.55557023301960222,
                    c7 = 0.19509032201612827;
@@ -101,7 +102,8 @@ HATBOX_INLINE inline ForwardSeries<V> forward_series(const DiskCone<V>& cone) {
 
 /// Lagrange's inversion of x + Σ B_k sin kx, where B_k counts as of order k, up to order six.
 template <class V>
-HATBOX_INLINE inline EtaSeries<V> eta_series(const DiskCone<V>& cone) {
+template <class Light>
+HATBOX_INLINE inline EtaSeries<V>::EtaSeries(const Light&, const SphericalEllipse<V>& cone) {
   const auto [B1, B2, B3, B4, B5, B6] = forward_series(cone);
   const auto c = [](double value) { return constant<V>(value); };
   const V q = B1 * B1;
@@ -129,8 +131,12 @@ HATBOX_INLINE inline EtaSeries<V> eta_series(const DiskCone<V>& cone) {
                    fma(V(-9), B123, fma(V(3), fma(B2, B4, B15), fma(c(1.5), fma(B3, B3, -(B2 * B22)), -B6))));
 
   // Σ S_k sin 2kθ = sin 2θ · P(cos 2θ), by the Chebyshev polynomials of the second kind.
-  return {{S1 - S3 + S5, fma(V(2), S2, fma(V(-4), S4, V(6) * S6)), fma(V(-12), S5, V(4) * S3),
-           fma(V(-32), S6, V(8) * S4), V(16) * S5, V(32) * S6}};
+  p_[0] = S1 - S3 + S5;
+  p_[1] = fma(V(2), S2, fma(V(-4), S4, V(6) * S6));
+  p_[2] = fma(V(-12), S5, V(4) * S3);
+  p_[3] = fma(V(-32), S6, V(8) * S4);
+  p_[4] = V(16) * S5;
+  p_[5] = V(32) * S6;
 }
 
 }  // namespace

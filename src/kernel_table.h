@@ -19,9 +19,11 @@ struct DiskConstantsOf {
 };
 using DiskConstants = DiskConstantsOf<float>;
 
-/// One call of `sample`: n points, k samples each, outputs that may be null.
-struct DiskSampleJob {
-  DiskConstants light;
+/// One call of `sample`: n points, k samples each, outputs that may be null. Light is what its kernels know of the
+/// light, such as DiskConstants.
+template <class Light>
+struct SampleJob {
+  Light light;
   const float* point[3];
   const float* u;
   const float* v;
@@ -35,8 +37,9 @@ struct DiskSampleJob {
 };
 
 /// One call of `pdf`, `invert` or `solid_angle`: k queries a point (directions or places) and up to two outputs.
-struct DiskQueryJob {
-  DiskConstants light;
+template <class Light>
+struct QueryJob {
+  Light light;
   const float* point[3];
   const float* query[3];  // direction x, y, z or place s, t; unused for solid_angle
   float* out[2];          // pdf; u, v; solid angle
@@ -44,20 +47,28 @@ struct DiskQueryJob {
   std::size_t queries_per_point;
 };
 
-using DiskSampleKernel = void (*)(const DiskSampleJob&, std::size_t begin, std::size_t end);
-using DiskQueryKernel = void (*)(const DiskQueryJob&, std::size_t begin, std::size_t end);
+template <class Light>
+using SampleKernel = void (*)(const SampleJob<Light>&, std::size_t begin, std::size_t end);
+template <class Light>
+using QueryKernel = void (*)(const QueryJob<Light>&, std::size_t begin, std::size_t end);
 
-inline constexpr std::size_t disk_map_count = 3;  // indexed by DiskMap
+/// All that one map can do. Each kernel does the points [begin, end) of its job.
+template <class Light>
+struct MapKernels {
+  SampleKernel<Light> sample;
+  QueryKernel<Light> pdf_of_direction;
+  QueryKernel<Light> pdf_of_place;
+  QueryKernel<Light> invert;
+};
 
-/// Everything one instruction set has to offer. Each kernel does the points [begin, end) of its job.
+inline constexpr std::size_t disk_map_count = 3;
+
+/// Everything one instruction set has to offer.
 struct KernelTable {
-  const char* isa;    // what the object was compiled for: "scalar", "sse4_2", …
-  std::size_t lanes;  // floats in a packet
-  DiskSampleKernel disk_sample[disk_map_count];
-  DiskQueryKernel disk_pdf_of_direction[disk_map_count];
-  DiskQueryKernel disk_pdf_of_place[disk_map_count];
-  DiskQueryKernel disk_invert[disk_map_count];
-  DiskQueryKernel disk_solid_angle;
+  const char* isa;                                 // what the object was compiled for: "scalar", "sse4_2", …
+  std::size_t lanes;                               // floats in a packet
+  MapKernels<DiskConstants> disk[disk_map_count];  // in the order of DiskMap
+  QueryKernel<DiskConstants> disk_solid_angle;
   // residual[i] = x[i]·y[i] − round(x[i]·y[i]): how the tests see that `fma` is fused. n is a multiple of lanes.
   void (*product_residual)(const float* x, const float* y, float* residual, std::size_t n);
 };

@@ -14,6 +14,8 @@ struct Schedule {
   std::size_t grain = 0;  // points a block at least; 0: chosen here
 };
 
+inline Schedule parallel_with(std::size_t grain) { return {.parallel = true, .grain = grain}; }
+
 /// Points a block, for k samples each: about what fits the first-level cache with its inputs and outputs and is worth a
 /// task, and a multiple of the widest packet, so that only the job's last packet is a partial one.
 inline std::size_t block_size(std::size_t grain, std::size_t per_point) {

@@ -8,8 +8,7 @@
 // It keeps R(H) = (αH + β)/(γH + δ) of its form; once A = B, H is constant and the integral is done.
 #pragma once
 
-#include "disk_cone.h"
-#include "trig.h"
+#include "spherical_ellipse.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {
@@ -18,7 +17,7 @@ namespace {
 inline constexpr int landen_steps = 6;
 
 template <class V>
-inline V spherical_ellipse_area(const DiskCone<V>& cone) {
+inline V spherical_ellipse_area(const SphericalEllipse<V>& cone) {
   V A = sqrt(cone.k2), B = V(1);
   V alpha = V(1), beta = V(0), gamma = cone.cos_beta, delta = V(1);
   for (int i = 0; i < landen_steps; ++i) {

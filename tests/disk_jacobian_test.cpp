@@ -1,8 +1,7 @@
 // The pdf that `sample` returns is the true density of its map: the kernel's own text, instantiated in double, is
 // differentiated numerically, and the solid angle it stretches du dv over must be du dv/pdf.
 #define HATBOX_ISA in_double
-#include "disk_area.h"
-#include "disk_radial.h"
+#include "maps.h"
 
 #include "disk_constants.h"
 #include "support/statistics.h"
@@ -21,7 +20,7 @@
 namespace hatbox::test {
 namespace {
 
-using in_double::DiskSample;
+using in_double::LightSample;
 using Direction = std::array<double, 3>;
 
 Direction operator-(const Direction& a, const Direction& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -69,7 +68,7 @@ Direction derivative(const F& f, double largest_step) {
 template <class Map>
 double jacobian_error(const Map& map, double u, double v, double h) {
   const auto at = [&](double du, double dv) {
-    const DiskSample<double> sample = map.sample(u + du, v + dv);
+    const LightSample<double> sample = map.sample(u + du, v + dv);
     return Direction{sample.direction[0], sample.direction[1], sample.direction[2]};
   };
   const Direction by_u = derivative([&](double d) { return at(d, 0); }, h);
@@ -111,9 +110,9 @@ void expect_honest(const std::vector<double>& errors) {
   EXPECT_LE(quantile(errors, 1), 1e-5);
 }
 
-TEST_P(DiskJacobianSlow, Area) { expect_honest(jacobian_errors<in_double::AreaMap>(GetParam())); }
-TEST_P(DiskJacobianSlow, LdRadial) { expect_honest(jacobian_errors<in_double::LdRadialMap>(GetParam())); }
-TEST_P(DiskJacobianSlow, Radial) { expect_honest(jacobian_errors<in_double::RadialPolarMap>(GetParam())); }
+TEST_P(DiskJacobianSlow, Area) { expect_honest(jacobian_errors<in_double::DiskArea>(GetParam())); }
+TEST_P(DiskJacobianSlow, LdRadial) { expect_honest(jacobian_errors<in_double::DiskLdRadial>(GetParam())); }
+TEST_P(DiskJacobianSlow, Radial) { expect_honest(jacobian_errors<in_double::DiskRadial>(GetParam())); }
 
 INSTANTIATE_TEST_SUITE_P(Pose, DiskJacobianSlow, testing::Values(Pose::canonical, Pose::general),
                          [](const auto& pose) { return std::string(name(pose.param)); });

@@ -2,8 +2,7 @@
 // so this is the yardstick of the other maps; it is written to cost as little as it can.
 #pragma once
 
-#include "disk_hit.h"
-#include "disk_sample.h"
+#include "disk_cone.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {
@@ -11,19 +10,18 @@ namespace {
 template <class V>
 class AreaMap {
  public:
-  HATBOX_INLINE AreaMap(const Constants<V>& light, V x, V y, V z) : light_(light), point_{x, y, z} {
+  HATBOX_INLINE AreaMap(const DiskLight<V>& light, V x, V y, V z) : light_(light), point_{x, y, z} {
     for (int i = 0; i < 3; ++i) l_[i] = (V(light.center[i]) - point_[i]) * V(light.inverse_radius);
-    const Scalar<V>(&normal)[3] = light.axes[2];
-    height_ = fma(l_[0], V(normal[0]), fma(l_[1], V(normal[1]), l_[2] * V(normal[2])));
+    height_ = along(light.axes[2], l_);
     // The area of the unit disk is π; its projection on a sphere of distance 1 is π|h|/distance³.
     density_ = V(1) / (constant<V>(pi) * abs(height_));
   }
 
-  HATBOX_INLINE DiskSample<V> sample(V u, V v) const {
+  HATBOX_INLINE LightSample<V> sample(V u, V v) const {
     const Polar<V> polar = concentric(u, v);
     const Place<V> place = {polar.radius * polar.angle.cos, polar.radius * polar.angle.sin};
     const Ray ray = to(place);
-    DiskSample<V> out;
+    LightSample<V> out;
     for (int i = 0; i < 3; ++i) out.direction[i] = ray.l[i] * ray.inverse_distance;
     out.distance = ray.distance * V(light_.radius);
     out.pdf = ray.pdf;
@@ -35,7 +33,7 @@ class AreaMap {
 
   V pdf_of_place(const Place<V>& place) const {
     const V density = to(place).pdf;
-    return select(honest(on_disk(place.s, place.t), density), density, V(0));
+    return select(honest(on_unit_disk(place), density), density, V(0));
   }
 
   V pdf_of_direction(const V (&direction)[3]) const {
@@ -78,20 +76,19 @@ class AreaMap {
   }
 
   Hit intersect(const V (&direction)[3]) const {
-    const EllipseHit<V> ellipse = ellipse_hit(light_, disk_cone(light_, point_[0], point_[1], point_[2]), direction);
+    const DiskCone<V> cone(light_, point_[0], point_[1], point_[2]);
     Hit hit;
-    hit.distance = height_ / ellipse.along[2];
-    V offset[2];
+    hit.distance = height_ / along(light_.axes[2], direction);
+    V coordinate[2];
     for (int i = 0; i < 2; ++i) {
-      const Scalar<V>(&axis)[3] = light_.axes[i];
-      offset[i] = fma(l_[0], V(axis[0]), fma(l_[1], V(axis[1]), l_[2] * V(axis[2])));
+      coordinate[i] = fma(hit.distance, along(light_.axes[i], direction), -along(light_.axes[i], l_));
     }
-    hit.place = {fma(hit.distance, ellipse.along[0], -offset[0]), fma(hit.distance, ellipse.along[1], -offset[1])};
-    hit.inside = ellipse.inside && (hit.distance > V(0)) && is_finite(hit.distance);
+    hit.place = {coordinate[0], coordinate[1]};
+    hit.inside = cone.hit(direction).inside && (hit.distance > V(0)) && is_finite(hit.distance);
     return hit;
   }
 
-  const Constants<V>& light_;
+  const DiskLight<V>& light_;
   V point_[3];
   V l_[3];     // from the shading point to the disk's centre, in radii
   V height_;   // signed, along the normal

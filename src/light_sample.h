@@ -1,0 +1,49 @@
+// What the maps of a light give for one packet of samples, and the validity rule they share.
+#pragma once
+
+#include "fma.h"
+
+namespace hatbox::HATBOX_ISA {
+namespace {
+
+/// On the light, in its own axes: a disk's or an ellipse's are its semi-axes, so s² + t² <= 1.
+template <class V>
+struct Place {
+  V s, t;
+};
+
+template <class V>
+struct LightSample {
+  V direction[3];  // world space
+  V distance;      // world units
+  V pdf;
+  V cosine;
+  Place<V> place;
+  Mask<V> valid;
+};
+
+/// A lane is good if its input was and its result, a density or a solid angle, neither under- nor overflowed.
+template <class V>
+inline Mask<V> honest(Mask<V> valid, V result) {
+  return valid && (result >= constant<V>(smallest_normal<V>)) && (result < constant<V>(infinity<V>));
+}
+
+template <class V>
+inline Mask<V> is_finite(V x) {
+  return abs(x) < constant<V>(infinity<V>);
+}
+
+/// The component of a direction along an axis.
+template <class V>
+inline V along(const Scalar<V> (&axis)[3], const V (&direction)[3]) {
+  return fma(direction[0], V(axis[0]), fma(direction[1], V(axis[1]), direction[2] * V(axis[2])));
+}
+
+/// Whether a place is on a disk or an ellipse: a sampled one is within 16 ulp of it.
+template <class V>
+inline Mask<V> on_unit_disk(const Place<V>& place) {
+  return fma(place.s, place.s, place.t * place.t) <= constant<V>(1 + 32 * std::numeric_limits<Scalar<V>>::epsilon());
+}
+
+}  // namespace
+}  // namespace hatbox::HATBOX_ISA

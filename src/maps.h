@@ -1,0 +1,18 @@
+// The maps of every light, by the names of the public enums.
+#pragma once
+
+#include "area_map.h"
+#include "radial_map.h"
+
+namespace hatbox::HATBOX_ISA {
+namespace {
+
+template <class V>
+using DiskArea = AreaMap<V>;
+template <class V>
+using DiskLdRadial = RadialMap<DiskCone<V>, EtaSeries<V>, ConcentricChart>;
+template <class V>
+using DiskRadial = RadialMap<DiskCone<V>, EtaSeries<V>, PolarChart>;
+
+}  // namespace
+}  // namespace hatbox::HATBOX_ISA

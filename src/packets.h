@@ -1,0 +1,59 @@
+// Packets of a kernel's arrays: whole ones, two at a time where there are registers for both, and the last, partial
+// one, which goes through the same vector code.
+#pragma once
+
+#include "twin.h"
+
+namespace hatbox::HATBOX_ISA {
+namespace {
+
+template <class V>
+inline constexpr std::size_t lanes = Lanes<V>::count;
+
+/// Where a packet lies in the arrays: whole, or the first `count` lanes of it.
+template <class V>
+struct WholePacket {
+  using Vector = V;
+  V load(const float* from) const { return hatbox::HATBOX_ISA::load(from, V()); }
+  void store(float* to, V value) const { hatbox::HATBOX_ISA::store(to, value); }
+};
+
+template <class V>
+struct PartialPacket {
+  using Vector = V;
+  V load(const float* from) const {
+    float padded[lanes<V>] = {};
+    std::memcpy(padded, from, count * sizeof(float));
+    return hatbox::HATBOX_ISA::load(padded, V());
+  }
+  void store(float* to, V value) const {
+    float padded[lanes<V>];
+    hatbox::HATBOX_ISA::store(padded, value);
+    std::memcpy(to, padded, count * sizeof(float));
+  }
+  std::size_t count;
+};
+
+template <class Memory>
+using VectorOf = typename std::remove_cvref_t<Memory>::Vector;
+
+// Two packets at a time hide latencies where there are registers for both: with 32 of them, not with 16.
+#if defined(HATBOX_ISA_ARCH) && (defined(__AVX512F__) || defined(__aarch64__))
+using WidePacket = Twin<Packet>;
+#else
+using WidePacket = Packet;
+#endif
+
+/// Calls body(packet, first point) for all packets of [begin, end).
+template <class Body>
+HATBOX_INLINE inline void for_each_packet(std::size_t begin, std::size_t end, const Body& body) {
+  std::size_t i = begin;
+  if constexpr (!std::is_same_v<WidePacket, Packet>) {
+    for (; end - i >= lanes<WidePacket>; i += lanes<WidePacket>) body(WholePacket<WidePacket>(), i);
+  }
+  for (; end - i >= lanes<Packet>; i += lanes<Packet>) body(WholePacket<Packet>(), i);
+  if (i < end) body(PartialPacket<Packet>{end - i}, i);
+}
+
+}  // namespace
+}  // namespace hatbox::HATBOX_ISA

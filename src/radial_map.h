@@ -1,0 +1,123 @@
+// The solid-angle maps from the centre outwards, ld_radial and radial (Guillén et al. 2017, §3.3), over any cone whose
+// spherical ellipse is known (disk_cone.h) and any area-preserving map of its angle (eta_series.h).
+//
+// With t = r² the share of the way from the centre direction (t = 0) to the rim (t = 1), equal in solid angle (eq. 22):
+//   z = (1 − t) + t h(η),  S² = t (1 + z)/(1 + h),  q = (a S cos η, b S sin η, z)
+// so that 1 − S² = (1 − t) ((1 − t) + h (1 + t))/(1 + h).
+#pragma once
+
+#include "disk_cone.h"
+#include "eta_series.h"
+
+namespace hatbox::HATBOX_ISA {
+namespace {
+
+/// Made once a point; its samples and queries share that.
+/// Chart takes the unit square to the unit disk: ConcentricChart for ld_radial, PolarChart for radial.
+template <class Cone, class AngleMap, class Chart>
+class RadialMap {
+ public:
+  using V = typename Cone::Vector;
+
+  template <class Light>
+  HATBOX_INLINE RadialMap(const Light& light, V x, V y, V z) : cone_(light, x, y, z), angle_map_(light, cone_) {}
+
+  HATBOX_INLINE LightSample<V> sample(V u, V v) const {
+    const Polar<V> polar = Chart::forward(u, v);
+    const V t = polar.radius * polar.radius;
+    const auto [shift, slope] = along(polar.angle);
+    const SinCos<V> eta = rotate(polar.angle, sincos_small(shift));
+    const V h = cone_.rim_height(eta);
+    const V one_plus_h = V(1) + h;
+    const V shared = V(1) / (one_plus_h * slope);
+    const V inverse_1_plus_h = shared * slope;
+    const V one_minus_t = V(1) - t;
+    const V z = fma(t, h, one_minus_t);
+    const V S = polar.radius * sqrt((V(1) + z) * inverse_1_plus_h);
+    const V inwards = one_minus_t * fma(h, V(1) + t, one_minus_t) * inverse_1_plus_h;
+
+    LightSample<V> out;
+    out.pdf = density() * (one_plus_h * one_plus_h * shared);
+    cone_.emit({S * eta.cos, S * eta.sin, z, inwards}, out);
+    out.valid = honest(cone_.valid && is_finite(u + v) && is_finite(out.distance), out.pdf);
+    return out;
+  }
+
+  V pdf_of_place(const Place<V>& place) const { return pdf(cone_.eta_of(place), on_unit_disk(place)); }
+
+  V pdf_of_direction(const V (&direction)[3]) const {
+    const EllipseHit<V> q = cone_.hit(direction);
+    return pdf(angle_of(q.x, q.y).angle, q.inside);
+  }
+
+  Square<V> invert(const V (&direction)[3]) const {
+    const EllipseHit<V> q = cone_.hit(direction);
+    const auto [eta, S] = angle_of(q.x, q.y);
+    const V h = cone_.rim_height(eta);
+    const V r = min(min(S, V(1)) * sqrt((V(1) + h) / (V(1) + max(q.z, V(0)))), V(1));
+    const Square<V> square = Chart::inverse(Polar<V>{r, uniform_angle(eta).angle});
+    const Mask<V> hit = honest(q.inside, density());
+    return {select(hit, clamp_variate(square.u), V(-1)), select(hit, clamp_variate(square.v), V(-1))};
+  }
+
+ private:
+  struct Uniform {
+    SinCos<V> angle;  // θ
+    V slope;          // dη/dθ
+  };
+
+  // In η it is this times 1 + h.
+  V density() const { return constant<V>(0.5 / pi) * cone_.inverse_ab; }
+
+  AngleShift<V> along(const SinCos<V>& theta) const {
+    const V sin2 = V(2) * theta.sin;
+    return angle_map_(fma(-sin2, theta.sin, V(1)), sin2 * theta.cos);
+  }
+
+  // η ↦ θ by Newton's method: |η − θ| < 0.15, three steps are exact to float everywhere, and the fourth is for the
+  // slope there.
+  Uniform uniform_angle(const SinCos<V>& eta) const {
+    Uniform out = {eta, V(1)};
+    V back = V(0);  // θ − η
+    for (int step = 0; step < 4; ++step) {
+      const auto [shift, slope] = along(out.angle);
+      back = back - (back + shift) / slope;
+      out.slope = slope;
+      out.angle = rotate(eta, sincos_small(back));
+    }
+    return out;
+  }
+
+  V pdf(const SinCos<V>& eta, Mask<V> hit) const {
+    const V p = density() * ((V(1) + cone_.rim_height(eta)) / uniform_angle(eta).slope);
+    return select(honest(hit && cone_.valid, p), p, V(0));
+  }
+
+  Cone cone_;
+  AngleMap angle_map_;
+};
+
+struct ConcentricChart {
+  template <class V>
+  static Polar<V> forward(V u, V v) {
+    return concentric(u, v);
+  }
+  template <class V>
+  static Square<V> inverse(const Polar<V>& polar) {
+    return concentric_inverse(polar);
+  }
+};
+
+struct PolarChart {
+  template <class V>
+  static Polar<V> forward(V u, V v) {
+    return polar(u, v);
+  }
+  template <class V>
+  static Square<V> inverse(const Polar<V>& p) {
+    return polar_inverse(p);
+  }
+};
+
+}  // namespace
+}  // namespace hatbox::HATBOX_ISA
