@@ -1,8 +1,7 @@
-// How right the numbers are: against golden values, against the double-precision reference, of one instruction set
-// against another, and how uniform the solid-angle maps are.
+// How right the numbers of a disk are: against golden values, against the double-precision reference, and how uniform
+// the solid-angle maps are.
 #include "golden/disk_golden.h"
 #include "reference/disk_eta_reference.h"
-#include "support/disk_calls.h"
 #include "support/disk_maps.h"
 #include "support/isa_fixture.h"
 #include "support/statistics.h"
@@ -116,44 +115,6 @@ TEST_P(DiskAccuracy, DirectionsMatchReference) {
         report_quantiles("radians_" + label(workload, map, k), errors);
         if (workload != Workload::w1) continue;
         EXPECT_LE(quantile(errors, 0.9999), bound) << label(workload, map, k);
-      }
-    }
-  }
-}
-
-std::vector<double> ulp_distances(std::span<const float> a, std::span<const float> b) {
-  std::vector<double> result;
-  for (std::size_t i = 0; i < a.size(); ++i) result.push_back(ulp_distance(a[i], b[i]));
-  return result;
-}
-
-std::vector<NamedColumn> scalar_outputs(const Disk& light, DiskMap map, const DiskQueries& queries) {
-  const ForcedIsa scalar(Isa::scalar);
-  return call_everything(light, map, queries);
-}
-
-TEST_P(DiskAccuracy, EveryIsaAgreesWithScalar) {
-  const Disk light = disk_in(pose());
-  for (const Workload workload : all_workloads) {
-    const PointArrays points = make_points(workload, pose(), 3000);
-    for (const DiskMap map : all_disk_maps) {
-      for (const std::size_t k : sample_counts) {
-        const std::string what = label(workload, map, k);
-        const DiskQueries queries = make_queries(light, map, points, k);
-        const auto got = call_everything(light, map, queries);
-        const auto expected = scalar_outputs(light, map, queries);
-        for (std::size_t i = 0; i < queries.size(); ++i) {
-          const bool valid = got[SampleArrays::pdf].values[i] > 0;
-          ASSERT_EQ(valid, expected[SampleArrays::pdf].values[i] > 0) << what << " lane " << i;
-        }
-        std::vector<double> all;
-        for (std::size_t c = 0; c < got.size(); ++c) {
-          const auto distances = ulp_distances(got[c].values, expected[c].values);
-          all.insert(all.end(), distances.begin(), distances.end());
-          if (workload != Workload::w1) continue;
-          EXPECT_LE(quantile(distances, 0.999), 32) << what << " " << got[c].name;
-        }
-        report_quantiles("ulp_" + what, all);
       }
     }
   }

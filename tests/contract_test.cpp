@@ -1,9 +1,10 @@
-// What the library promises whatever it is given: no bad number, no place outside the disk, bad lanes alone affected,
-// the same bits however the work is split, and errors that name the argument before anything is written.
+// What the library promises of every sampler, whatever it is given: no bad number, no place outside the light, bad
+// lanes alone affected, the same bits however the work is split, and errors that name the argument before anything is
+// written.
+#include "support/all_samplers.h"
 #include "support/bits.h"
-#include "support/disk_calls.h"
-#include "support/disk_maps.h"
 #include "support/isa_fixture.h"
+#include "support/sampler_calls.h"
 
 #include <hatbox/hatbox.h>
 
@@ -21,10 +22,9 @@ constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float last_below_one = 0x1.fffffep-1f;
 
-class DiskContract : public DiskTest {
+/// Every instruction set, the lights at the origin and in a general pose.
+class Contract : public DiskTest {
  protected:
-  Disk light() const { return disk_in(pose()); }
-
   /// Where shading points may be, and where they had better not: around the disk, then out of all bounds.
   PointArrays adversarial_points() const {
     PointArrays points;
@@ -58,24 +58,25 @@ void expect_sane(const SampleArrays& samples, std::size_t i) {
   ASSERT_LE(std::hypot(s, t), 1 + 1e-5) << "lane " << i;
 }
 
-TEST_P(DiskContract, NoBadNumbersFromBadPlaces) {
+TEST_P(Contract, NoBadNumbersFromBadPlaces) {
   const PointArrays points = adversarial_points();
   const std::size_t n = points.size();
-  for (const DiskMap map : all_disk_maps) {
+  for (const Sampler& sampler : all_samplers(pose())) {
+    SCOPED_TRACE(sampler.name);
     for (const float u : {0.0f, 0.3f, 0.5f, last_below_one, 1.0f}) {
       for (const float v : {0.0f, 0.5f, 0.7f, last_below_one, 1.0f}) {
         const VariateArrays variates{std::vector<float>(n, u), std::vector<float>(n, v)};
         SampleArrays samples(n);
-        sample(light(), map, points.view(), variates.view(), samples.view());
+        sampler.sample(points.view(), variates.view(), samples.view(), {});
         for (std::size_t i = 0; i < n; ++i) expect_sane(samples, i);
-        DiskQueries queries{.points = points,
-                            .variates = variates,
-                            .x = samples.columns[SampleArrays::x],
-                            .y = samples.columns[SampleArrays::y],
-                            .z = samples.columns[SampleArrays::z],
-                            .s = samples.columns[SampleArrays::s],
-                            .t = samples.columns[SampleArrays::t]};
-        for (const auto& [what, values] : call_everything(light(), map, queries)) {
+        Queries queries{.points = points,
+                        .variates = variates,
+                        .x = samples.columns[SampleArrays::x],
+                        .y = samples.columns[SampleArrays::y],
+                        .z = samples.columns[SampleArrays::z],
+                        .s = samples.columns[SampleArrays::s],
+                        .t = samples.columns[SampleArrays::t]};
+        for (const auto& [what, values] : call_everything(sampler, queries)) {
           const float least = what == "u" || what == "v" || what.size() <= 2 || what == "cosine" ? -1.000001f : 0.0f;
           for (const float value : values) ASSERT_TRUE(std::isfinite(value) && value >= least) << what << " " << value;
         }
@@ -84,7 +85,7 @@ TEST_P(DiskContract, NoBadNumbersFromBadPlaces) {
   }
 }
 
-TEST_P(DiskContract, NothingIsSampledFromNowhere) {
+TEST_P(Contract, NothingIsSampledFromNowhere) {
   PointArrays points;
   for (const float bad : {nan, infinity, -infinity}) {
     points.push_back({bad, 0, 1});
@@ -94,25 +95,27 @@ TEST_P(DiskContract, NothingIsSampledFromNowhere) {
   if (pose() == Pose::canonical) {  // only here do floats hit the plane exactly
     for (const float x : {0.0f, 0.5f, 1.0f, 2.0f, 1e20f}) points.push_back({x, 0, 0});
   }
-  for (const DiskMap map : all_disk_maps) {
-    DiskQueries queries = make_queries(light(), map, points, 3);
+  for (const Sampler& sampler : all_samplers(pose())) {
+    SCOPED_TRACE(sampler.name);
+    Queries queries = make_queries(sampler, points, 3);
     queries.z.assign(queries.size(), -1);
-    for (const auto& [what, values] : call_everything(light(), map, queries)) {
+    for (const auto& [what, values] : call_everything(sampler, queries)) {
       for (const float value : values) EXPECT_EQ(value, what == "u" || what == "v" ? -1 : 0) << what;
     }
   }
 }
 
-TEST_P(DiskContract, VariatesAreClamped) {
+TEST_P(Contract, VariatesAreClamped) {
   const PointArrays points = repeat(moved(pose(), {0.3, 0.4, 0.5}), 6);
   const std::vector<float> given{1.0f, 7.0f, -0.0f, -3.0f, last_below_one, 0.0f};
   const std::vector<float> clamped{last_below_one, last_below_one, 0, 0, last_below_one, 0};
   const std::vector<float> other(6, 0.3f);
-  for (const DiskMap map : all_disk_maps) {
+  for (const Sampler& sampler : all_samplers(pose())) {
+    SCOPED_TRACE(sampler.name);
     for (const bool swapped : {false, true}) {
       SampleArrays a(6), b(6);
-      sample(light(), map, points.view(), swapped ? Variates{other, given} : Variates{given, other}, a.view());
-      sample(light(), map, points.view(), swapped ? Variates{other, clamped} : Variates{clamped, other}, b.view());
+      sampler.sample(points.view(), swapped ? Variates{other, given} : Variates{given, other}, a.view(), {});
+      sampler.sample(points.view(), swapped ? Variates{other, clamped} : Variates{clamped, other}, b.view(), {});
       for (std::size_t i = 0; i < 6; ++i) EXPECT_TRUE(a.valid(i));
       for (std::size_t c = 0; c < a.columns.size(); ++c) EXPECT_EQ(first_difference(a.columns[c], b.columns[c]), 6u);
     }
@@ -120,12 +123,13 @@ TEST_P(DiskContract, VariatesAreClamped) {
 }
 
 /// A lane with a bad point or variate gives 0, and no other lane can tell.
-TEST_P(DiskContract, BadLanesAloneAreAffected) {
+TEST_P(Contract, BadLanesAloneAreAffected) {
   constexpr std::size_t n = 101;
-  for (const DiskMap map : all_disk_maps) {
+  for (const Sampler& sampler : all_samplers(pose())) {
+    SCOPED_TRACE(sampler.name);
     for (const std::size_t k : sample_counts) {
-      const DiskQueries good = make_queries(light(), map, make_points(Workload::w1, pose(), n), k);
-      DiskQueries spoiled = good;
+      const Queries good = make_queries(sampler, make_points(Workload::w1, pose(), n), k);
+      Queries spoiled = good;
       const auto bad_point = [](std::size_t i) { return i % 7 == 3; };
       const auto bad_variate = [](std::size_t i) { return i % 5 == 2; };
       for (std::size_t i = 0; i < n; ++i) {
@@ -135,8 +139,8 @@ TEST_P(DiskContract, BadLanesAloneAreAffected) {
       for (std::size_t i = 0; i < good.size(); ++i) {
         if (bad_variate(i)) (i % 2 ? spoiled.variates.u : spoiled.variates.v)[i] = i % 3 ? nan : -infinity;
       }
-      const auto expected = call_everything(light(), map, good);
-      const auto got = call_everything(light(), map, spoiled);
+      const auto expected = call_everything(sampler, good);
+      const auto got = call_everything(sampler, spoiled);
       for (std::size_t c = 0; c < got.size(); ++c) {
         const bool sampled = c < SampleArrays::column_count;
         const bool inverse = got[c].name == "u" || got[c].name == "v";
@@ -151,43 +155,31 @@ TEST_P(DiskContract, BadLanesAloneAreAffected) {
 }
 
 /// No absolute epsilon: a power of two scales the distance and nothing else (but the rounding of the density).
-TEST_P(DiskContract, ScaleDoesNotMatter) {
-  const auto scaled = [](const Vec3& p, float scale) { return Vec3{scale * p.x, scale * p.y, scale * p.z}; };
+TEST_P(Contract, ScaleDoesNotMatter) {
   for (const Workload workload : all_workloads) {
     const PointArrays points = make_points(workload, pose(), 500);
     const VariateArrays variates = make_variates(points.size());
+    const std::vector<Sampler> samplers = all_samplers(pose());
     for (const float scale : {0x1p20f, 0x1p-20f}) {
-      PointArrays scaled_points;
-      for (std::size_t i = 0; i < points.size(); ++i) scaled_points.push_back(scaled(points[i], scale));
-      const Disk scaled_light{scaled(light().center, scale), light().normal, scale * light().radius};
-      for (const DiskMap map : all_disk_maps) {
+      PointArrays scaled_points = points;
+      for (auto* coordinates : {&scaled_points.x, &scaled_points.y, &scaled_points.z}) {
+        for (float& coordinate : *coordinates) coordinate *= scale;
+      }
+      const std::vector<Sampler> scaled_samplers = all_samplers(pose(), scale);
+      for (std::size_t m = 0; m < samplers.size(); ++m) {
         SampleArrays here(variates.size()), there(variates.size());
-        sample(light(), map, points.view(), variates.view(), here.view());
-        sample(scaled_light, map, scaled_points.view(), variates.view(), there.view());
+        samplers[m].sample(points.view(), variates.view(), here.view(), {});
+        scaled_samplers[m].sample(scaled_points.view(), variates.view(), there.view(), {});
         for (float& distance : there.columns[SampleArrays::distance]) distance /= scale;
         for (std::size_t c = 0; c < SampleArrays::column_count; ++c) {
           for (std::size_t i = 0; i < here.size(); ++i) {
             const float a = here.columns[c][i], b = there.columns[c][i];
             const bool rounded = c == SampleArrays::distance || c == SampleArrays::pdf;
             ASSERT_TRUE(same_bits(a, b) || (rounded && std::abs(a / b - 1) < 1e-6f))
-                << name(workload) << " " << name(map) << " " << name(static_cast<SampleArrays::Column>(c));
+                << name(workload) << " " << samplers[m].name << " " << name(static_cast<SampleArrays::Column>(c));
           }
         }
       }
-    }
-  }
-}
-
-TEST_P(DiskContract, LengthOfTheNormalDoesNotMatter) {
-  const PointArrays points = make_points(Workload::w1, pose(), 100);
-  const DiskQueries queries = make_queries(light(), DiskMap::ld_radial, points, 1);
-  const auto expected = call_everything(light(), DiskMap::ld_radial, queries);
-  for (const float scale : {0x1p20f, 0x1p-100f, 0x1p100f}) {
-    Disk longer = light();
-    longer.normal = {scale * longer.normal.x, scale * longer.normal.y, scale * longer.normal.z};
-    const auto got = call_everything(longer, DiskMap::ld_radial, queries);
-    for (std::size_t c = 0; c < got.size(); ++c) {
-      EXPECT_EQ(first_difference(got[c].values, expected[c].values), got[c].values.size()) << got[c].name;
     }
   }
 }
@@ -196,6 +188,19 @@ void expect_same(const std::vector<NamedColumn>& got, const std::vector<NamedCol
   for (std::size_t c = 0; c < got.size(); ++c) {
     ASSERT_EQ(got[c].values.size(), expected[c].values.size());
     ASSERT_EQ(first_difference(got[c].values, expected[c].values), got[c].values.size()) << got[c].name;
+  }
+}
+
+TEST_P(Contract, LengthOfTheNormalDoesNotMatter) {
+  const Disk light = disk_in(pose());
+  const PointArrays points = make_points(Workload::w1, pose(), 100);
+  const Sampler given("given", light, DiskMap::ld_radial);
+  const Queries queries = make_queries(given, points, 1);
+  const auto expected = call_everything(given, queries);
+  for (const float scale : {0x1p20f, 0x1p-100f, 0x1p100f}) {
+    Disk longer = light;
+    longer.normal = {scale * longer.normal.x, scale * longer.normal.y, scale * longer.normal.z};
+    expect_same(call_everything(Sampler("longer", longer, DiskMap::ld_radial), queries), expected);
   }
 }
 
@@ -224,33 +229,35 @@ PointArrays mixed_points(Pose pose, std::size_t n) {
   return points;
 }
 
-TEST_P(DiskContract, BitsDoNotDependOnThePlaceInTheArray) {
+TEST_P(Contract, BitsDoNotDependOnThePlaceInTheArray) {
   constexpr std::size_t n = 203;
-  for (const DiskMap map : all_disk_maps) {
+  for (const Sampler& sampler : all_samplers(pose())) {
+    SCOPED_TRACE(sampler.name);
     for (const std::size_t k : sample_counts) {
-      const DiskQueries all = make_queries(light(), map, mixed_points(pose(), n), k);
-      const auto expected = call_everything(light(), map, all);
+      const Queries all = make_queries(sampler, mixed_points(pose(), n), k);
+      const auto expected = call_everything(sampler, all);
       std::vector<std::size_t> order(n);
       std::iota(order.begin(), order.end(), std::size_t{0});
       std::reverse(order.begin(), order.end());
-      expect_same(call_everything(light(), map, pick(all, order)), picked(expected, n, order));
+      expect_same(call_everything(sampler, pick(all, order)), picked(expected, n, order));
       std::rotate(order.begin(), order.begin() + 5, order.end());
-      expect_same(call_everything(light(), map, pick(all, order)), picked(expected, n, order));
+      expect_same(call_everything(sampler, pick(all, order)), picked(expected, n, order));
       for (const std::size_t size : odd_sizes) {
         order.resize(size);
-        expect_same(call_everything(light(), map, pick(all, order)), picked(expected, n, order));
+        expect_same(call_everything(sampler, pick(all, order)), picked(expected, n, order));
       }
     }
   }
 }
 
-TEST_P(DiskContract, BitsDoNotDependOnTheNumberOfSamples) {
+TEST_P(Contract, BitsDoNotDependOnTheNumberOfSamples) {
   constexpr std::size_t n = 203, k = 3;
-  for (const DiskMap map : all_disk_maps) {
-    const DiskQueries several = make_queries(light(), map, mixed_points(pose(), n), k);
-    const auto expected = call_everything(light(), map, several);
+  for (const Sampler& sampler : all_samplers(pose())) {
+    SCOPED_TRACE(sampler.name);
+    const Queries several = make_queries(sampler, mixed_points(pose(), n), k);
+    const auto expected = call_everything(sampler, several);
     for (std::size_t j = 0; j < k; ++j) {
-      for (const auto& [what, values] : call_everything(light(), map, nth_samples(several, j))) {
+      for (const auto& [what, values] : call_everything(sampler, nth_samples(several, j))) {
         const auto& all = std::ranges::find(expected, what, &NamedColumn::name)->values;
         const std::span part = what == "solid_angle" ? std::span(all) : std::span(all).subspan(j * n, n);
         EXPECT_EQ(first_difference(values, part), n) << what << " of sample " << j;
@@ -259,30 +266,32 @@ TEST_P(DiskContract, BitsDoNotDependOnTheNumberOfSamples) {
   }
 }
 
-TEST_P(DiskContract, BitsDoNotDependOnThreadsAndPackets) {
-  for (const DiskMap map : all_disk_maps) {
+TEST_P(Contract, BitsDoNotDependOnThreadsAndPackets) {
+  for (const Sampler& sampler : all_samplers(pose())) {
+    SCOPED_TRACE(sampler.name);
     for (const std::size_t k : sample_counts) {
-      const DiskQueries queries = make_queries(light(), map, mixed_points(pose(), 10007), k);
-      const auto expected = call_everything(light(), map, queries);
+      const Queries queries = make_queries(sampler, mixed_points(pose(), 10007), k);
+      const auto expected = call_everything(sampler, queries);
       constexpr std::size_t grains[] = {0, 1, 7, 64, 1 << 20};
       for (const std::size_t grain : grains) {
         SCOPED_TRACE("grain " + std::to_string(grain));
-        expect_same(call_everything(light(), map, queries, grain), expected);
+        expect_same(call_everything(sampler, queries, grain), expected);
       }
     }
   }
 }
 
 /// Arrays that start anywhere, and neighbours on both sides that are nobody's business.
-TEST_P(DiskContract, WritesItsSpansAndNoMore) {
+TEST_P(Contract, WritesItsSpansAndNoMore) {
   constexpr std::size_t margin = 19;
-  for (const DiskMap map : all_disk_maps) {
+  for (const Sampler& sampler : all_samplers(pose())) {
+    SCOPED_TRACE(sampler.name);
     for (const std::size_t n : odd_sizes) {
       for (const std::size_t k : sample_counts) {
         const PointArrays points = make_points(Workload::w1, pose(), n + 1);
         const VariateArrays variates = make_variates(k * n + 1);
         SampleArrays samples(k * n + 2 * margin);
-        sample(light(), map, points.view(1, n), variates.view(1, k * n), samples.view(margin, k * n));
+        sampler.sample(points.view(1, n), variates.view(1, k * n), samples.view(margin, k * n), {});
         for (const auto& column : samples.columns) {
           for (std::size_t i = 0; i < column.size(); ++i) {
             const bool ours = i >= margin && i < margin + k * n;
@@ -294,14 +303,15 @@ TEST_P(DiskContract, WritesItsSpansAndNoMore) {
   }
 }
 
-TEST_P(DiskContract, OutputsAreOptional) {
+TEST_P(Contract, OutputsAreOptional) {
   constexpr std::size_t n = 37;
   const PointArrays points = make_points(Workload::w1, pose(), n);
-  for (const DiskMap map : all_disk_maps) {
+  for (const Sampler& sampler : all_samplers(pose())) {
+    SCOPED_TRACE(sampler.name);
     for (const std::size_t k : sample_counts) {
       const VariateArrays variates = make_variates(k * n);
       SampleArrays all(k * n);
-      sample(light(), map, points.view(), variates.view(), all.view());
+      sampler.sample(points.view(), variates.view(), all.view(), {});
       for (unsigned wanted = 0; wanted < 1u << SampleArrays::column_count; ++wanted) {
         SampleArrays some(k * n);
         Samples out = some.view();
@@ -310,7 +320,7 @@ TEST_P(DiskContract, OutputsAreOptional) {
         for (std::size_t c = 0; c < std::size(spans); ++c) {
           if (!(wanted >> c & 1)) *spans[c] = {};
         }
-        sample(light(), map, points.view(), variates.view(), out);
+        sampler.sample(points.view(), variates.view(), out, {});
         for (std::size_t c = 0; c < std::size(spans); ++c) {
           const std::vector<float> untouched(k * n, SampleArrays::untouched);
           const auto& want = wanted >> c & 1 ? all.columns[c] : untouched;
@@ -321,7 +331,7 @@ TEST_P(DiskContract, OutputsAreOptional) {
   }
 }
 
-HATBOX_FOR_EVERY_ISA_AND_POSE(DiskContract);
+HATBOX_FOR_EVERY_ISA_AND_POSE(Contract);
 
 }  // namespace
 }  // namespace hatbox::test

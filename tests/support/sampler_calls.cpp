@@ -1,4 +1,4 @@
-#include "support/disk_calls.h"
+#include "support/sampler_calls.h"
 
 #include <numeric>
 
@@ -6,8 +6,7 @@ namespace hatbox::test {
 namespace {
 
 /// The samples [first, last) of the points `indices`.
-DiskQueries pick(const DiskQueries& from, std::size_t first, std::size_t last,
-                 const std::vector<std::size_t>& indices) {
+Queries pick(const Queries& from, std::size_t first, std::size_t last, const std::vector<std::size_t>& indices) {
   const auto some = [&](const std::vector<float>& all) {
     std::vector<float> result;
     for (std::size_t j = first; j < last; ++j) {
@@ -15,7 +14,7 @@ DiskQueries pick(const DiskQueries& from, std::size_t first, std::size_t last,
     }
     return result;
   };
-  DiskQueries result;
+  Queries result;
   for (const std::size_t i : indices) result.points.push_back(from.points[i]);
   result.variates = {some(from.variates.u), some(from.variates.v)};
   result.x = some(from.x);
@@ -28,12 +27,12 @@ DiskQueries pick(const DiskQueries& from, std::size_t first, std::size_t last,
 
 }  // namespace
 
-DiskQueries make_queries(const Disk& light, DiskMap map, const PointArrays& points, std::size_t k) {
-  DiskQueries result;
+Queries make_queries(const Sampler& sampler, const PointArrays& points, std::size_t k) {
+  Queries result;
   result.points = points;
   result.variates = make_variates(k * points.size());
   SampleArrays samples(result.size());
-  sample(light, map, points.view(), result.variates.view(), samples.view());
+  sampler.sample(points.view(), result.variates.view(), samples.view(), {});
   result.x = samples.columns[SampleArrays::x];
   result.y = samples.columns[SampleArrays::y];
   result.z = samples.columns[SampleArrays::z];
@@ -42,35 +41,26 @@ DiskQueries make_queries(const Disk& light, DiskMap map, const PointArrays& poin
   return result;
 }
 
-DiskQueries pick(const DiskQueries& from, const std::vector<std::size_t>& indices) {
+Queries pick(const Queries& from, const std::vector<std::size_t>& indices) {
   return pick(from, 0, from.per_point(), indices);
 }
 
-DiskQueries nth_samples(const DiskQueries& from, std::size_t j) {
+Queries nth_samples(const Queries& from, std::size_t j) {
   std::vector<std::size_t> all(from.points.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   return pick(from, j, j + 1, all);
 }
 
-std::vector<NamedColumn> call_everything(const Disk& light, DiskMap map, const DiskQueries& queries,
-                                         std::optional<std::size_t> grain) {
+std::vector<NamedColumn> call_everything(const Sampler& sampler, const Queries& queries, Grain grain) {
   const std::size_t n = queries.size();
   const Points points = queries.points.view();
   SampleArrays samples(n);
   std::vector<float> of_direction(n), at_place(n), u(n), v(n), omega(queries.points.size());
-  if (grain) {
-    parallel::sample(light, map, points, queries.variates.view(), samples.view(), *grain);
-    parallel::pdf(light, map, points, queries.directions(), of_direction, *grain);
-    parallel::pdf(light, map, points, queries.places(), at_place, *grain);
-    parallel::invert(light, map, points, queries.directions(), u, v, *grain);
-    parallel::solid_angle(light, points, omega, *grain);
-  } else {
-    sample(light, map, points, queries.variates.view(), samples.view());
-    pdf(light, map, points, queries.directions(), of_direction);
-    pdf(light, map, points, queries.places(), at_place);
-    invert(light, map, points, queries.directions(), u, v);
-    solid_angle(light, points, omega);
-  }
+  sampler.sample(points, queries.variates.view(), samples.view(), grain);
+  sampler.pdf_of_direction(points, queries.directions(), of_direction, grain);
+  sampler.pdf_of_place(points, queries.places(), at_place, grain);
+  sampler.invert(points, queries.directions(), u, v, grain);
+  sampler.solid_angle(points, omega, grain);
   std::vector<NamedColumn> result;
   for (std::size_t c = 0; c < SampleArrays::column_count; ++c) {
     result.push_back({name(static_cast<SampleArrays::Column>(c)), samples.columns[c]});

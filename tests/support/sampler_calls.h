@@ -1,12 +1,10 @@
-// Every call of the disk on one set of arrays, so that tests of the contract can say "all outputs" and mean it.
+// Every call of a sampler on one set of arrays, so that tests of the contract can say "all outputs" and mean it.
 #pragma once
 
+#include "support/sampler.h"
 #include "support/workloads.h"
 
-#include <hatbox/disk.h>
-
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +16,7 @@ struct NamedColumn {
 };
 
 /// What a test asks: n points, and k·n variates, directions and places.
-struct DiskQueries {
+struct Queries {
   PointArrays points;
   VariateArrays variates;
   std::vector<float> x, y, z, s, t;
@@ -29,17 +27,16 @@ struct DiskQueries {
   Places places() const { return {s, t}; }
 };
 
-/// Workload points, k random variates each, and the directions and places that `map` samples there.
-DiskQueries make_queries(const Disk& light, DiskMap map, const PointArrays& points, std::size_t k);
+/// The points, k random variates each, and the directions and places that are sampled there.
+Queries make_queries(const Sampler& sampler, const PointArrays& points, std::size_t k);
 
 /// The queries of the points `indices`, in that order.
-DiskQueries pick(const DiskQueries& from, const std::vector<std::size_t>& indices);
+Queries pick(const Queries& from, const std::vector<std::size_t>& indices);
 
 /// Sample j of each point.
-DiskQueries nth_samples(const DiskQueries& from, std::size_t j);
+Queries nth_samples(const Queries& from, std::size_t j);
 
 /// All outputs of all calls: sequential, or parallel with a grain.
-std::vector<NamedColumn> call_everything(const Disk& light, DiskMap map, const DiskQueries& queries,
-                                         std::optional<std::size_t> grain = {});
+std::vector<NamedColumn> call_everything(const Sampler& sampler, const Queries& queries, Grain grain = {});
 
 }  // namespace hatbox::test
