@@ -12,13 +12,6 @@
 namespace wavefront {
 namespace {
 
-struct NamedMap {
-  const char* name;
-  hatbox::DiskMap map;
-};
-constexpr NamedMap known_maps[] = {
-    {"area", hatbox::DiskMap::area}, {"ld_radial", hatbox::DiskMap::ld_radial}, {"radial", hatbox::DiskMap::radial}};
-
 struct Reference {
   Image image;
   double mse;  // of the image itself, estimated
@@ -39,7 +32,7 @@ struct Row {
 
 Reference render_reference(const Scene& scene, const RayTracer& tracer, const Comparison& comparison) {
   RenderSettings settings = comparison.settings;
-  settings.map = hatbox::DiskMap::ld_radial;
+  settings.sampling = light_sampling("ld_radial");
   settings.light_samples = (comparison.reference_spp + 2 * settings.spp - 1) / (2 * settings.spp);
   settings.seed = hash(comparison.settings.seed, 1);
   Render first = render(scene, tracer, settings, "reference 1/2");
@@ -105,15 +98,6 @@ void write_errors(const Comparison& comparison, const std::vector<Row>& rows, co
 
 }  // namespace
 
-hatbox::DiskMap parse_map(std::string_view name) {
-  std::string list;
-  for (const NamedMap& known : known_maps) {
-    if (name == known.name) return known.map;
-    list += (list.empty() ? "" : ", ") + std::string(known.name);
-  }
-  throw std::invalid_argument("unknown map '" + std::string(name) + "' (known: " + list + ")");
-}
-
 void compare(const Scene& scene, const Comparison& comparison) {
   const RayTracer tracer(scene);
   std::optional<Reference> reference;
@@ -126,7 +110,7 @@ void compare(const Scene& scene, const Comparison& comparison) {
   std::vector<Row> rows;
   for (const std::string& map : comparison.maps) {
     RenderSettings settings = comparison.settings;
-    settings.map = parse_map(map);
+    settings.sampling = light_sampling(map);
     Row row{map, render(scene, tracer, settings, map), {}};
     if (reference) row.mse = mean_squared_error(row.render.image, reference->image);
     write_picture(row.render.image, comparison.out, map);

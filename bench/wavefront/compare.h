@@ -5,15 +5,11 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace wavefront {
 
-/// Throws std::invalid_argument, which lists the maps there are.
-hatbox::DiskMap parse_map(std::string_view name);
-
-/// What to render, apart from RenderSettings::map and light_samples.
+/// What to render, apart from RenderSettings::sampling and light_samples.
 struct Comparison {
   std::string scene_name;  // for the report
   std::vector<std::string> maps;

@@ -44,8 +44,8 @@ std::pair<int, int> parse_size(const std::string& text) {
 
 void add_options(CLI::App& app, Options& options) {
   app.add_option("scene", options.scene, "Scene file (a subset of Mitsuba 0.5's XML)")->required();
-  auto* map =
-      app.add_option("--map", options.map, "How to sample the light: area, ld_radial, radial")->capture_default_str();
+  auto* map = app.add_option("--map", options.map, "How to sample the light: " + wavefront::light_sampling_names())
+                  ->capture_default_str();
   app.add_option("--compare", options.compare, "Render a reference and these maps, separated by commas")
       ->delimiter(',')
       ->excludes(map);
@@ -70,7 +70,7 @@ void run(const Options& options) {
   wavefront::Comparison comparison;
   comparison.scene_name = options.scene;
   comparison.maps = options.compare.empty() ? std::vector{options.map} : options.compare;
-  for (const std::string& map : comparison.maps) wavefront::parse_map(map);
+  for (const std::string& map : comparison.maps) wavefront::light_sampling(map);
   comparison.reference_spp = options.compare.empty() ? 0 : options.reference_spp;
   comparison.out = options.out;
 

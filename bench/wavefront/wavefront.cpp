@@ -225,7 +225,7 @@ void Renderer::sample_light(const Emitter& emitter) {
   hatbox::Samples samples{light_.x, light_.y, light_.z, light_.distance, light_.pdf};
   if (!emitter.double_sided) samples.cosine = light_.cosine;
   const auto start = Clock::now();
-  hatbox::parallel::sample(emitter.shape, settings_.map, points, variates, samples);
+  settings_.sampling.sample(emitter.shape, points, variates, samples);
   result_.light_seconds += seconds_since(start);
   result_.light_samples += light_.u.size();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "film.h"
+#include "light_sampling.h"
 #include "ray_tracer.h"
 #include "sampler.h"
 #include "scene.h"
@@ -23,7 +24,7 @@ struct RenderSettings {
   int height;
   std::uint32_t spp;
   std::uint32_t light_samples = 1;
-  hatbox::DiskMap map = hatbox::DiskMap::ld_radial;
+  LightSampling sampling = light_sampling("ld_radial");
   SamplerKind sampler = SamplerKind::zero_two;
   std::uint64_t seed = 0;  // of the light samples
 };
@@ -31,7 +32,7 @@ struct RenderSettings {
 struct Render {
   Image image;
   std::uint64_t light_samples = 0;  // how many were taken in all
-  double light_seconds = 0;         // time in hatbox::parallel::sample alone
+  double light_seconds = 0;         // time in LightSampling::sample alone
   double seconds = 0;
 };
 
