@@ -4,14 +4,27 @@
 #include <hatbox/arrays.h>
 
 #include <cstddef>
+#include <random>
 #include <vector>
 
 namespace hatbox::bench {
+
+/// The same numbers on every platform.
+class Random {
+ public:
+  float operator()(float low, float high);
+
+ private:
+  std::mt19937 engine_{1};
+};
 
 /// n shading points around the unit disk: x, y uniform ±3, z uniform 0.05–3.05 (W1), and k samples for each of them.
 class Arrays {
  public:
   Arrays(std::size_t points, std::size_t samples_per_point);
+
+  /// The points on a sphere about the disk instead, uniform in all directions.
+  Arrays(std::size_t points, std::size_t samples_per_point, double distance);
 
   Points points() const { return {x_, y_, z_}; }
   Variates variates() const { return {u_, v_}; }
@@ -20,6 +33,9 @@ class Arrays {
   std::size_t sample_count() const { return u_.size(); }
 
  private:
+  void add_samples(std::size_t samples);
+
+  Random random_;
   std::vector<float> x_, y_, z_, u_, v_, out_[5];
 };
 

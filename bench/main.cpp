@@ -1,6 +1,7 @@
 // hatbox_bench: what a sample costs. Repetitions of all cases are interleaved at random and compared by their medians,
 // so that what else the machine does falls on all of them alike.
 #include "disk_bench.h"
+#include "distance_bench.h"
 
 #include <CLI/CLI.hpp>
 
@@ -34,11 +35,13 @@ int run(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 1;
 
   const std::vector<Case> cases = register_disk_cases();
-  Collector collector(cases.size() * static_cast<std::size_t>(repetitions));
+  const std::vector<DistanceRow> distances = register_distance_cases();
+  Collector collector((cases.size() + distances.size()) * static_cast<std::size_t>(repetitions));
   benchmark::RunSpecifiedBenchmarks(&collector);
   const std::vector<Row> rows = compare(cases, collector);
   print_table(rows);
-  if (!report.empty()) write_json(rows, report);
+  const std::vector<DistanceRow> over_distance = measure_distances(distances, collector);
+  if (!report.empty()) write_json(rows, over_distance, report);
   return 0;
 }
 

@@ -88,7 +88,7 @@ void print_table(const std::vector<Row>& rows) {
   }
 }
 
-void write_json(const std::vector<Row>& rows, const std::string& path) {
+void write_json(const std::vector<Row>& rows, const std::vector<DistanceRow>& distances, const std::string& path) {
   nlohmann::ordered_json report{{"machine", cpu_name()}, {"rows", nlohmann::json::array()}};
   for (const Row& row : rows) {
     const Case& c = row.measured;
@@ -103,6 +103,15 @@ void write_json(const std::vector<Row>& rows, const std::string& path) {
                               {"vs_area", row.vs_area},
                               {"vs_copy", row.vs_copy},
                               {"vs_reference", row.vs_reference}});
+  }
+  report["distances"] = nlohmann::json::array();
+  for (const DistanceRow& row : distances) {
+    report["distances"].push_back({{"distance", row.distance},
+                                   {"solid_angle", row.solid_angle},
+                                   {"map", row.measured.map},
+                                   {"isa", row.measured.isa},
+                                   {"ns_per_sample", row.ns_per_sample},
+                                   {"relative_error", row.relative_error}});
   }
   std::ofstream file(path);
   file << report.dump(1) << '\n';

@@ -47,6 +47,15 @@ struct Row {
 
 std::vector<Row> compare(const std::vector<Case>& cases, const Collector& collector);
 void print_table(const std::vector<Row>& rows);
-void write_json(const std::vector<Row>& rows, const std::string& path);
+
+/// One way to sample at one distance, in radii of the disk (distance_bench.h).
+struct DistanceRow {
+  double distance = 0, solid_angle = 0;  // the mean over all directions, steradians
+  Case measured;
+  double ns_per_sample = 0;
+  double relative_error = 0;  // RMS, of the irradiance of a patch that faces the light, from 16 stratified samples
+};
+
+void write_json(const std::vector<Row>& rows, const std::vector<DistanceRow>& distances, const std::string& path);
 
 }  // namespace hatbox::bench
