@@ -11,9 +11,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <thread>
 
 namespace hatbox::test {
 namespace {
@@ -278,6 +280,19 @@ TEST_P(Contract, BitsDoNotDependOnThreadsAndPackets) {
         expect_same(call_everything(sampler, queries, grain), expected);
       }
     }
+  }
+}
+
+/// Sequential calls from several threads at once, as a renderer with its own scheduler makes them.
+TEST_P(Contract, BitsDoNotDependOnOtherCallers) {
+  for (const Sampler& sampler : all_samplers(pose())) {
+    const Queries queries = make_queries(sampler, mixed_points(pose(), 300), 1);
+    const auto expected = call_everything(sampler, queries);
+    std::array<std::vector<NamedColumn>, 4> got;
+    std::vector<std::thread> callers;
+    for (auto& columns : got) callers.emplace_back([&] { columns = call_everything(sampler, queries); });
+    for (std::thread& caller : callers) caller.join();
+    for (const auto& columns : got) expect_same(columns, expected);
   }
 }
 
