@@ -80,6 +80,15 @@ HATBOX_INLINE inline Halves<V> halves(V inverse_L, V x, V half_root) {
   return {positive, select(positive, large, small), select(positive, small, large), large, inverse_large};
 }
 
+/// √(x² + y²) for |x|, |y| below 2^60, also where the squares underflow: right above or beside the rim.
+template <class V>
+HATBOX_INLINE inline V length_of_small(V x, V y) {
+  const Mask<V> tiny = max(abs(x), abs(y)) < constant<V>(0x1p-40);
+  const V up = select(tiny, constant<V>(0x1p64), V(1)), down = select(tiny, constant<V>(0x1p-64), V(1));
+  const V scaled_x = x * up, scaled_y = y * up;
+  return sqrt(fma(scaled_x, scaled_x, scaled_y * scaled_y)) * down;
+}
+
 template <class V>
 HATBOX_INLINE inline DiskCone<V>::DiskCone(const DiskLight<V>& disk, V x, V y, V z) : light(disk) {
   const DiskLocal<V> l = to_disk(light, x, y, z);
@@ -102,8 +111,7 @@ HATBOX_INLINE inline DiskCone<V>::DiskCone(const DiskLight<V>& disk, V x, V y, V
 
   const V h2 = height * height;
   const V near = d2_minus_1 * (nonzero_d * shared);
-  // The max keeps ℓ0 from underflowing to 0 right above or beside the rim.
-  const V rim0 = max(sqrt(fma(near, near, h2)), max(height, abs(near)));
+  const V rim0 = length_of_small(near, height);
   const V rim1 = sqrt(fma(far, far, h2));
   const V L = rim0 * rim1;
   const V inverse_L = V(1) / L;
