@@ -80,7 +80,7 @@ HATBOX_INLINE inline Halves<V> halves(V inverse_L, V x, V half_root) {
   return {positive, select(positive, large, small), select(positive, small, large), large, inverse_large};
 }
 
-/// √(x² + y²) for |x|, |y| below 2^60, also where the squares underflow: right above or beside the rim.
+/// √(x² + y²), also where the squares underflow: right above or beside the rim.
 template <class V>
 HATBOX_INLINE inline V length_of_small(V x, V y) {
   const Mask<V> tiny = max(abs(x), abs(y)) < constant<V>(0x1p-40);

@@ -31,7 +31,7 @@ class Contract : public DiskTest {
   PointArrays adversarial_points() const {
     PointArrays points;
     for (const double x : {0.0, 0.5, 1.0, 2.0, 1 - 1e-7, 1 + 1e-7, 0x1p20, 0x1p-20, 1e-30}) {
-      for (const double z : {0.0, 1e-30, -1e-30, 1e-7, -1e-4, 1.0, 0x1p20, -0x1p-20, 1e18}) {
+      for (const double z : {0.0, 1e-30, -1e-30, 3e-23, 1e-22, 1e-7, -1e-4, 1.0, 0x1p20, -0x1p-20, 1e18}) {
         points.push_back(moved(pose(), {x, 0, z}));
         points.push_back(moved(pose(), {-0.6 * x, 0.8 * x, z}));
       }
