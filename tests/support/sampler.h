@@ -4,6 +4,7 @@
 
 #include <hatbox/hatbox.h>
 
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -15,11 +16,15 @@ namespace hatbox::test {
 /// How a call is run: sequentially, or in parallel with a grain.
 using Grain = std::optional<std::size_t>;
 
+/// How far a place lies outside of its light, in the place's own units; negative inside.
+inline double outside(const Disk&, double s, double t) { return std::hypot(s, t) - 1; }
+
 struct Sampler {
   template <class Light, class Map>
   Sampler(std::string sampler_name, const Light& light, const Map& map);
 
   std::string name;
+  std::function<double(double s, double t)> outside;
   std::function<void(const Points&, const Variates&, const Samples&, Grain)> sample;
   std::function<void(const Points&, const Directions&, std::span<float>, Grain)> pdf_of_direction;
   std::function<void(const Points&, const Places&, std::span<float>, Grain)> pdf_of_place;
@@ -30,6 +35,7 @@ struct Sampler {
 template <class Light, class Map>
 Sampler::Sampler(std::string sampler_name, const Light& light, const Map& map)
     : name(std::move(sampler_name)),
+      outside([=](double s, double t) { return hatbox::test::outside(light, s, t); }),
       sample([=](const Points& points, const Variates& variates, const Samples& out, Grain grain) {
         grain ? parallel::sample(light, map, points, variates, out, *grain)
               : hatbox::sample(light, map, points, variates, out);
