@@ -37,6 +37,9 @@ struct DiskCone : SphericalEllipse<V> {
   /// The angle η of the direction to a place on the disk.
   SinCos<V> eta_of(const Place<V>& place) const;
 
+  /// The angle χ of the slice through a place on the disk (parallel_map.h), cos χ >= 0.
+  SinCos<V> chi_of(const Place<V>& place) const;
+
   const DiskLight<V>& light;
   Mask<V> below;  // the shading point lies on the side of −normal
   V height, d;    // |h| and d of the above
@@ -201,6 +204,14 @@ inline SinCos<V> DiskCone<V>::eta_of(const Place<V>& place) const {
   const V tau = fma(place.s, t_u, place.t * t_v);
   const V sigma = fma(place.t, t_u, -(place.s * t_v));
   return angle_of(sigma, tau + kappa).angle;
+}
+
+/// tan φ_p = tan β Y/(z cos β) with Y/z = (τ + κ)/(1 + κτ), so that tan χ = (τ + κ)/(cos α √(1 − τ²)).
+template <class V>
+inline SinCos<V> DiskCone<V>::chi_of(const Place<V>& place) const {
+  const V tau = fma(place.s, t_u, place.t * t_v);
+  const V half_chord = sqrt(max((V(1) - tau) * (V(1) + tau), V(0)));
+  return angle_of(sqrt(this->k2) * this->cos_beta * half_chord, tau + kappa).angle;
 }
 
 }  // namespace

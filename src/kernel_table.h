@@ -61,7 +61,7 @@ struct MapKernels {
   QueryKernel<Light> invert;
 };
 
-inline constexpr std::size_t disk_map_count = 3;
+inline constexpr std::size_t disk_map_count = 4;
 
 /// Everything one instruction set has to offer.
 struct KernelTable {

@@ -15,7 +15,7 @@ constexpr KernelTable table = {
     .isa = HATBOX_STRING_OF(HATBOX_ISA),
     .lanes = lanes<Packet>,
     .disk = {kernels_of<DiskArea, DiskConstants>, kernels_of<DiskLdRadial, DiskConstants>,
-             kernels_of<DiskRadial, DiskConstants>},
+             kernels_of<DiskRadial, DiskConstants>, kernels_of<DiskParallel, DiskConstants>},
     .disk_solid_angle = solid_angle<DiskCone, DiskConstants>,
     .product_residual = product_residual,
 };

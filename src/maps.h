@@ -2,6 +2,7 @@
 #pragma once
 
 #include "area_map.h"
+#include "parallel_map.h"
 #include "radial_map.h"
 
 namespace hatbox::HATBOX_ISA {
@@ -13,6 +14,8 @@ template <class V>
 using DiskLdRadial = RadialMap<DiskCone<V>, EtaSeries<V>, ConcentricChart>;
 template <class V>
 using DiskRadial = RadialMap<DiskCone<V>, EtaSeries<V>, PolarChart>;
+template <class V>
+using DiskParallel = ParallelMap<DiskCone<V>>;
 
 }  // namespace
 }  // namespace hatbox::HATBOX_ISA

@@ -82,19 +82,23 @@ double step(double u, double v) {
   return 0.2 * std::min(std::abs(a - b), 1 - std::max(a, b));
 }
 
+/// Nor over an edge of the square or the middle slice of the parallel map.
+double step_off_middle(double u, double v) { return 0.2 * std::min({std::abs(u - 0.5), u, 1 - u, v, 1 - v}); }
+
 template <template <class> class Map>
-std::vector<double> jacobian_errors(Pose pose) {
+std::vector<double> jacobian_errors(Pose pose, double (*largest_step)(double, double) = step,
+                                    std::size_t points_each = 334) {
   constexpr int grid = 32;
   const DiskConstantsOf<double> light = disk_constants<double>(disk_in(pose));
   std::vector<double> errors;
   for (const Workload workload : {Workload::w1, Workload::w2, Workload::w3}) {
-    const PointArrays points = make_points(workload, pose, 334);
+    const PointArrays points = make_points(workload, pose, points_each);
     for (std::size_t p = 0; p < points.size(); ++p) {
       const Map<double> map(light, points.x[p], points.y[p], points.z[p]);
       for (int i = 0; i < grid; ++i) {
         for (int j = 0; j < grid; ++j) {
           const double u = (i + 0.37) / grid, v = (j + 0.59) / grid;  // off the seams u = v and u = 1 − v
-          errors.push_back(jacobian_error(map, u, v, step(u, v)));
+          errors.push_back(jacobian_error(map, u, v, largest_step(u, v)));
         }
       }
     }
@@ -112,6 +116,10 @@ void expect_honest(const std::vector<double>& errors) {
 
 TEST_P(DiskJacobianSlow, Area) { expect_honest(jacobian_errors<in_double::DiskArea>(GetParam())); }
 TEST_P(DiskJacobianSlow, LdRadial) { expect_honest(jacobian_errors<in_double::DiskLdRadial>(GetParam())); }
+TEST_P(DiskJacobianSlow, Parallel) {
+  // Five evaluations a sample make it slow in double, hence fewer points.
+  expect_honest(jacobian_errors<in_double::DiskParallel>(GetParam(), step_off_middle, 64));
+}
 TEST_P(DiskJacobianSlow, Radial) { expect_honest(jacobian_errors<in_double::DiskRadial>(GetParam())); }
 
 INSTANTIATE_TEST_SUITE_P(Pose, DiskJacobianSlow, testing::Values(Pose::canonical, Pose::general),

@@ -25,7 +25,8 @@ LightSampling far_switch(const char* name, float below) {
 const std::vector<LightSampling>& all() {
   using hatbox::DiskMap;
   static const std::vector<LightSampling> result{by_map("area", DiskMap::area), by_map("ld_radial", DiskMap::ld_radial),
-                                                 by_map("radial", DiskMap::radial), far_switch("auto", 1e-2f)};
+                                                 by_map("radial", DiskMap::radial),
+                                                 by_map("parallel", DiskMap::parallel), far_switch("auto", 1e-2f)};
   return result;
 }
 

@@ -15,6 +15,7 @@ enum class DiskMap {
   area,       ///< uniform in area: concentric map of the disk (Shirley and Chiu 1997). Cheapest, noisy close by
   ld_radial,  ///< uniform in solid angle, concentric: low distortion, keeps stratification (Guillén 2017, §3.3)
   radial,     ///< uniform in solid angle, polar: u turns about the centre, v goes from the centre to the rim (ibid.)
+  parallel,   ///< uniform in solid angle, in slices: u goes across the minor axis, v along the slice (ibid., §3.2)
 };
 
 // All calls are thread-safe and allocate nothing. They throw std::invalid_argument, before anything is written, if

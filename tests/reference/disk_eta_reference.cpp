@@ -65,7 +65,23 @@ EtaDisk::Local EtaDisk::from_ellipse(const EllipsePlace& place, int& iterations)
   const Real h = ellipse_.rim_height(eta);
   const Real z = 1 - t * (x * x + y * y) / (1 + h);
   const Real s = std::sqrt(t * (1 + z) / (1 + h));
-  return {s * x, s * y * center_z_ + z * center_y_, z * center_z_ - s * y * center_y_};
+  return from_frame(s * x, s * y, z);
+}
+
+/// Equations 14 and 15, with φ_p and h_p those of the rim point η.
+EtaDisk::Local EtaDisk::from_slice(double u, double v, int& iterations) const {
+  const SemiAxes& axes = ellipse_.axes();
+  const double eta = ellipse_.slice_eta(u, iterations);
+  const Real phi = std::atan2(axes.b * std::sin(static_cast<Real>(eta)), static_cast<Real>(ellipse_.rim_height(eta)));
+  const Real h = (2 * static_cast<Real>(v) - 1) * axes.a * std::cos(static_cast<Real>(eta));
+  // 1 − a² cancels for cones that are nearly full.
+  const Real x = h / axes.a;
+  const Real rho = std::hypot(static_cast<Real>(axes.cos_alpha), axes.a * std::sqrt((1 - x) * (1 + x)));
+  return from_frame(h, rho * std::sin(phi), rho * std::cos(phi));
+}
+
+EtaDisk::Local EtaDisk::from_frame(Real x, Real y, Real z) const {
+  return {x, y * center_z_ + z * center_y_, z * center_z_ - y * center_y_};
 }
 
 EllipsePlace EtaDisk::locate_local(const Local& direction) const {
@@ -84,6 +100,12 @@ DiskSample EtaDisk::sample(DiskMap map, float u, float v) const {
     const Polar p = concentric(cu, cv);
     const Local direction = view_.direction_to_place(p.r * std::cos(p.phi), p.r * std::sin(p.phi));
     return view_.sample(direction, view_.area_pdf(direction));
+  }
+  if (map == DiskMap::parallel) {
+    int iterations = 0;
+    DiskSample result = view_.sample(from_slice(cu, cv, iterations), 1 / solid_angle());
+    result.iterations = iterations;
+    return result;
   }
   const PolarArea place = map == DiskMap::radial ? radial(cu, cv) : low_distortion(cu, cv);
   return at({place.theta, place.t});

@@ -34,8 +34,11 @@ class EtaDisk {
   double pdf(DiskMap map, const Vector<double>& direction) const;
 
  private:
-  using Local = Vector<long double>;
+  using Real = long double;
+  using Local = Vector<Real>;
   Local from_ellipse(const EllipsePlace& place, int& iterations) const;
+  Local from_slice(double u, double v, int& iterations) const;
+  Local from_frame(Real x, Real y, Real z) const;
   EllipsePlace locate_local(const Local& direction) const;
 
   DiskView<long double> view_;

@@ -2,6 +2,7 @@
 
 #include "reference/square_maps.h"
 
+#include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_3.hpp>
 
 #include <algorithm>
@@ -31,6 +32,24 @@ Folded fold(double theta) {
   }
 }
 
+/// A root by Newton's method, which bisects where a step would leave the bracket. `rounding` is that of the residual.
+template <class Residual, class Slope>
+double newton(const Residual& residual, const Slope& slope, double low, double high, double start, double rounding,
+              int& iterations) {
+  constexpr double step_tolerance = 1e-12;
+  double x = start;
+  for (iterations = 1; iterations < 100; ++iterations) {
+    const double off = residual(x);
+    (off > 0 ? high : low) = x;
+    double next = x - off / slope(x);
+    if (!(next >= low && next <= high)) next = (low + high) / 2;
+    const bool done = std::abs(next - x) <= step_tolerance || std::abs(off) <= rounding;
+    x = next;
+    if (done) break;
+  }
+  return x;
+}
+
 }  // namespace
 
 PaperDisk::PaperDisk(const DiskFrame<double>& frame, const Vec3& point) : view_(frame, point) {
@@ -58,6 +77,9 @@ PaperDisk::PaperDisk(const DiskFrame<double>& frame, const Vec3& point) : view_(
   factor_ = b_ * (1 - a2) / (a_ * std::sqrt(1 - b2));
   tangent_ratio_ = a_ / b_ * std::sqrt((1 - b2) / (1 - a2));
   whole_ = half_pi - factor_ * boost::math::ellint_3(k_, n_, Policy());
+  // Equations 10 and 12; (a_t² − b_t²)/(a_t² + 1) = (a² − b²)/(1 − b²).
+  tan_b_ = b_ / std::sqrt(1 - b2);
+  slice_k_ = k_;
 }
 
 double PaperDisk::rim_radius(double phi) const { return a_ * b_ / std::hypot(a_ * std::sin(phi), b_ * std::cos(phi)); }
@@ -67,24 +89,18 @@ double PaperDisk::quadrant_area(double phi) const {
   return phi - factor_ * boost::math::ellint_3(k_, n_, parametric, Policy());
 }
 
-/// Equation 21 by Newton's method, which bisects where a step would leave the bracket. The paper's own start (φ
-/// proportional to the target) needs many more steps for narrow ellipses than the parametric angle does.
-double PaperDisk::invert(double target, int& iterations) const {
-  constexpr double step_tolerance = 1e-12;
-  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();  // of quadrant_area, absolute
-  double low = 0, high = half_pi;
-  double phi = std::atan2(b_ * std::sin(target * half_pi), a_ * std::cos(target * half_pi));
-  for (iterations = 1; iterations < 100; ++iterations) {
-    const double residual = quadrant_area(phi) - target * whole_;
-    (residual > 0 ? high : low) = phi;
-    const double rim = rim_radius(phi);
-    double next = phi - residual / (1 - std::sqrt((1 - rim) * (1 + rim)));
-    if (!(next >= low && next <= high)) next = (low + high) / 2;
-    const bool done = std::abs(next - phi) <= step_tolerance || std::abs(residual) <= rounding;
-    phi = next;
-    if (done) break;
-  }
-  return phi;
+double PaperDisk::slice_height(double phi) const {
+  const double sin = std::sin(phi), p = 1 / (tan_b_ * tan_b_);
+  return a_ * std::sqrt(std::max(0.0, 1 - (p + 1) * sin * sin) / (1 - (slice_k_ * slice_k_ * p + 1) * sin * sin));
+}
+
+/// Of the slices between 0 and φ_p, with c_t = a_t/√(1 + a_t²) = a.
+double PaperDisk::slices_area(double phi) const {
+  const double parametric = std::asin(std::min(1.0, std::tan(phi) / tan_b_));
+  const double n = -tan_b_ * tan_b_;
+  return 2 * a_ / tan_b_ *
+         ((1 - n) * boost::math::ellint_3(slice_k_, n, parametric, Policy()) -
+          boost::math::ellint_1(slice_k_, parametric, Policy()));
 }
 
 Vector<double> PaperDisk::from_ellipse(double x, double y, double z) const {
@@ -98,18 +114,45 @@ DiskSample PaperDisk::sample(DiskMap map, float u, float v) const {
     const Vector<double> direction = view_.direction_to_place(p.r * std::cos(p.phi), p.r * std::sin(p.phi));
     return view_.sample(direction, view_.area_pdf(direction));
   }
-  const PolarArea target = map == DiskMap::radial ? radial(cu, cv) : low_distortion(cu, cv);
-  const Folded quadrant = fold(target.theta);
   int iterations = 0;
-  const double phi = invert(quadrant.fraction, iterations);
+  const Vector<double> point =
+      map == DiskMap::parallel ? parallel_point(cu, cv, iterations) : radial_point(map, cu, cv, iterations);
+  DiskSample result = view_.sample(from_ellipse(point.x, point.y, point.z), 1 / solid_angle());
+  result.iterations = iterations;
+  return result;
+}
+
+constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();  // of the areas, absolute
+
+/// Equation 21. The paper's own start (φ proportional to the target) needs many more steps for narrow ellipses than the
+/// parametric angle does.
+Vector<double> PaperDisk::radial_point(DiskMap map, double u, double v, int& iterations) const {
+  const PolarArea target = map == DiskMap::radial ? radial(u, v) : low_distortion(u, v);
+  const Folded quadrant = fold(target.theta);
+  const double angle = quadrant.fraction * half_pi;
+  const double phi = newton([&](double x) { return quadrant_area(x) - quadrant.fraction * whole_; },
+                            [&](double x) {
+                              const double rim = rim_radius(x);
+                              return 1 - std::sqrt((1 - rim) * (1 + rim));
+                            },
+                            0, half_pi, std::atan2(b_ * std::sin(angle), a_ * std::cos(angle)), rounding, iterations);
   // Equations 17, 22 and 15 (with x and z as math has it: the cylinder's axis is z). t = 0 is the centre, h = 1.
   const double rim = rim_radius(phi);
   const double h = 1 - target.t * (1 - std::sqrt((1 - rim) * (1 + rim)));
   const double rho = std::sqrt((1 - h) * (1 + h));
-  DiskSample result = view_.sample(
-      from_ellipse(quadrant.sign_x * rho * std::cos(phi), quadrant.sign_y * rho * std::sin(phi), h), 1 / solid_angle());
-  result.iterations = iterations;
-  return result;
+  return {quadrant.sign_x * rho * std::cos(phi), quadrant.sign_y * rho * std::sin(phi), h};
+}
+
+/// Equation 13, and 14 and 15 as printed.
+Vector<double> PaperDisk::parallel_point(double u, double v, int& iterations) const {
+  const double beta = std::asin(b_);
+  const double share = std::abs(2 * u - 1);
+  const double target = share * slices_area(beta);
+  const double phi = newton([&](double x) { return slices_area(x) - target; },
+                            [&](double x) { return 2 * slice_height(x); }, 0, beta, share * beta, rounding, iterations);
+  const double h = (2 * v - 1) * slice_height(phi);
+  const double rho = std::sqrt((1 - h) * (1 + h));
+  return {h, std::copysign(rho * std::sin(phi), u - 0.5), rho * std::cos(phi)};
 }
 
 }  // namespace hatbox::reference

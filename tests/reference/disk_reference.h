@@ -1,5 +1,5 @@
 // The disk maps of [GUK*17] (Guillén et al., Area-Preserving Parameterizations for Spherical Ellipses, 2017) in scalar
-// double, straight from the paper's equations 3–5 and 16–23. Slow, and no better than the paper's form of the solid
+// double, straight from the paper's equations 3–15 and 16–23. Slow, and no better than the paper's form of the solid
 // angle: equation 19 cancels for small ones (relative error about 1e-16 / solid angle). See disk_eta_reference.h.
 #pragma once
 
@@ -18,7 +18,10 @@ class PaperDisk {
  private:
   double rim_radius(double phi) const;     // equation 18
   double quadrant_area(double phi) const;  // equation 19
-  double invert(double target, int& iterations) const;
+  double slice_height(double phi) const;   // equation 9
+  double slices_area(double phi) const;    // equation 11
+  Vector<double> radial_point(DiskMap map, double u, double v, int& iterations) const;
+  Vector<double> parallel_point(double u, double v, int& iterations) const;
   Vector<double> from_ellipse(double x, double y, double z) const;
 
   DiskView<double> view_;
@@ -28,6 +31,7 @@ class PaperDisk {
   double factor_;               // of Π in equation 19
   double tangent_ratio_;        // a_t / b_t
   double whole_;                // Ω_r(π/2)
+  double tan_b_, slice_k_;      // b_t; the modulus of equation 10
 };
 
 }  // namespace hatbox::reference

@@ -1,9 +1,12 @@
-// The area of a spherical ellipse as an integral over the parametric angle η of its orthographic projection:
-// dΩ/dη = ab / (1 + h(η)), h² = cos²α cos²η + cos²β sin²η. The same as equations 16–19 of [GUK*17], but nothing
-// cancels, so it keeps double's precision for every size. By Gauss–Legendre panels; no elliptic integral is involved.
+// The area of a spherical ellipse as integrals over the parametric angle η of its orthographic projection, where
+// nothing cancels, so that they keep double's precision for every size. By Gauss–Legendre panels; no elliptic integral
+// is involved.
+//
+// From the centre outwards dΩ/dη = ab / (1 + h(η)), h² = cos²α cos²η + cos²β sin²η: the same as equations 16–19 of
+// [GUK*17]. In slices dΩ/dη = 2ab cos²α cos²η / (h (cos²α cos²η + sin²η)): the same as equations 6–12.
 #pragma once
 
-#include <vector>
+#include "reference/panel_integral.h"
 
 namespace hatbox::reference {
 
@@ -16,7 +19,7 @@ class SphericalEllipse {
  public:
   explicit SphericalEllipse(const SemiAxes& axes);
 
-  double solid_angle() const { return 4 * axes_.a * axes_.b * sums_.back(); }
+  double solid_angle() const { return 4 * axes_.a * axes_.b * sectors_.whole(); }
   const SemiAxes& axes() const { return axes_; }
 
   /// Height of the rim above the plane through the centre of the sphere.
@@ -28,14 +31,12 @@ class SphericalEllipse {
   /// The inverse of `theta`, to 1e-14; adds the Newton steps taken to `iterations`.
   double eta(double theta, int& iterations) const;
 
- private:
-  double density(double eta) const { return 1 / (1 + rim_height(eta)); }
-  double first_quadrant_theta(double eta) const;
-  double first_quadrant_eta(double theta, int& iterations) const;
+  /// Where the slice ends that has the share `u` of the area below it: −π/2 <= η <= π/2 for 0 <= u <= 1.
+  double slice_eta(double u, int& iterations) const;
 
+ private:
   SemiAxes axes_;
-  std::vector<double> ends_;  // of the panels, 0 … π/2
-  std::vector<double> sums_;  // ∫ dη/(1+h) from 0 to each end
+  PanelIntegral sectors_, slices_;
 };
 
 }  // namespace hatbox::reference

@@ -7,10 +7,10 @@
 
 namespace hatbox::test {
 
-inline constexpr std::array all_disk_maps{DiskMap::area, DiskMap::ld_radial, DiskMap::radial};
+inline constexpr std::array all_disk_maps{DiskMap::area, DiskMap::ld_radial, DiskMap::radial, DiskMap::parallel};
 
 inline const char* name(DiskMap map) {
-  constexpr std::array names{"area", "ld_radial", "radial"};
+  constexpr std::array names{"area", "ld_radial", "radial", "parallel"};
   return names[static_cast<std::size_t>(map)];
 }
 
