@@ -18,14 +18,6 @@ std::string to_string(const Vec3& v) {
   return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ")";
 }
 
-/// The constants of a light that passes `check`; throws otherwise.
-DiskConstants ready(const Disk& light) {
-  const std::string_view problem = check(light);
-  if (problem.empty()) return disk_constants<float>(light);
-  throw std::invalid_argument(std::string(problem) + "; center " + to_string(light.center) + ", normal " +
-                              to_string(light.normal) + ", radius " + std::to_string(light.radius));
-}
-
 const MapKernels<DiskConstants>& kernels_of(DiskMap map) {
   const auto index = static_cast<std::size_t>(map);
   if (index >= disk_map_count) throw std::invalid_argument("map: there is no DiskMap " + std::to_string(index));
@@ -43,6 +35,13 @@ std::string_view check(const Disk& light) noexcept {
   if (!std::isfinite(light.radius)) return "light.radius is not finite";
   if (light.radius <= 0) return "light.radius is not positive";
   return {};
+}
+
+DiskConstants ready(const Disk& light) {
+  const std::string_view problem = check(light);
+  if (problem.empty()) return disk_constants<float>(light);
+  throw std::invalid_argument(std::string(problem) + "; center " + to_string(light.center) + ", normal " +
+                              to_string(light.normal) + ", radius " + std::to_string(light.radius));
 }
 
 Axes axes(const Disk& light) {

@@ -11,4 +11,7 @@ namespace hatbox {
 template <class T>
 DiskConstantsOf<T> disk_constants(const Disk& light);
 
+/// The constants of a light that passes `check`; throws std::invalid_argument otherwise.
+DiskConstants ready(const Disk& light);
+
 }  // namespace hatbox

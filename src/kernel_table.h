@@ -19,6 +19,14 @@ struct DiskConstantsOf {
 };
 using DiskConstants = DiskConstantsOf<float>;
 
+/// A disk with the table that its maps are read from (eta_table.h).
+template <class T>
+struct TabulatedDiskOf : DiskConstantsOf<T> {
+  const float* coefficients;  // resolution² of them, for T = double too
+  std::size_t resolution;
+};
+using TabulatedDisk = TabulatedDiskOf<float>;
+
 /// One call of `sample`: n points, k samples each, outputs that may be null. Light is what its kernels know of the
 /// light, such as DiskConstants.
 template <class Light>
@@ -68,6 +76,7 @@ struct KernelTable {
   const char* isa;                                 // what the object was compiled for: "scalar", "sse4_2", …
   std::size_t lanes;                               // floats in a packet
   MapKernels<DiskConstants> disk[disk_map_count];  // in the order of DiskMap
+  MapKernels<TabulatedDisk> disk_table[2];         // ld_radial, radial
   QueryKernel<DiskConstants> disk_solid_angle;
   // residual[i] = x[i]·y[i] − round(x[i]·y[i]): how the tests see that `fma` is fused. n is a multiple of lanes.
   void (*product_residual)(const float* x, const float* y, float* residual, std::size_t n);

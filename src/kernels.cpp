@@ -16,6 +16,7 @@ constexpr KernelTable table = {
     .lanes = lanes<Packet>,
     .disk = {kernels_of<DiskArea, DiskConstants>, kernels_of<DiskLdRadial, DiskConstants>,
              kernels_of<DiskRadial, DiskConstants>, kernels_of<DiskParallel, DiskConstants>},
+    .disk_table = {kernels_of<DiskTableLdRadial, TabulatedDisk>, kernels_of<DiskTableRadial, TabulatedDisk>},
     .disk_solid_angle = solid_angle<DiskCone, DiskConstants>,
     .product_residual = product_residual,
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "area_map.h"
+#include "eta_table.h"
 #include "parallel_map.h"
 #include "radial_map.h"
 
@@ -16,6 +17,10 @@ template <class V>
 using DiskRadial = RadialMap<DiskCone<V>, EtaSeries<V>, PolarChart>;
 template <class V>
 using DiskParallel = ParallelMap<DiskCone<V>>;
+template <class V>
+using DiskTableLdRadial = RadialMap<DiskCone<V>, EtaTable<V>, ConcentricChart>;
+template <class V>
+using DiskTableRadial = RadialMap<DiskCone<V>, EtaTable<V>, PolarChart>;
 
 }  // namespace
 }  // namespace hatbox::HATBOX_ISA

@@ -91,6 +91,14 @@ template <class T, class = IfScalar<T>>
 inline void store(T* to, T x) {
   *to = x;
 }
+template <class T>
+inline IfScalar<T> truncate(T x) {  // of 0 <= x < 2^31
+  return static_cast<T>(static_cast<int>(x));
+}
+template <class T>
+inline IfScalar<T> gather(const float* from, T index) {  // of a table; the index is a whole number >= 0
+  return static_cast<T>(from[static_cast<int>(index)]);
+}
 #ifdef HATBOX_ISA_ARCH
 // For the one vector type of this object. No templates, so that they win over xsimd's functions of the same name.
 using Packet = xsimd::batch<float, HATBOX_ISA_ARCH>;
@@ -124,6 +132,29 @@ inline Packet max(const Packet& x, const Packet& y) { return select(x > y, x, y)
 inline Packet copysign(const Packet& magnitude, const Packet& sign) { return magnitude | (sign & Packet(-0.0f)); }
 inline Packet load(const float* from, const Packet&) { return Packet::load_unaligned(from); }
 inline void store(float* to, const Packet& x) { x.store_unaligned(to); }
+#if defined(__AVX512F__)
+inline Packet truncate(const Packet& x) { return _mm512_cvtepi32_ps(_mm512_cvttps_epi32(x)); }
+inline Packet gather(const float* from, const Packet& index) {
+  return _mm512_i32gather_ps(_mm512_cvttps_epi32(index), from, sizeof(float));
+}
+#elif defined(__AVX2__)
+inline Packet truncate(const Packet& x) { return _mm256_cvtepi32_ps(_mm256_cvttps_epi32(x)); }
+inline Packet gather(const float* from, const Packet& index) {
+  return _mm256_i32gather_ps(from, _mm256_cvttps_epi32(index), sizeof(float));
+}
+#else
+#if defined(__aarch64__)
+inline Packet truncate(const Packet& x) { return vrndq_f32(x); }
+#else
+inline Packet truncate(const Packet& x) { return _mm_cvtepi32_ps(_mm_cvttps_epi32(x)); }
+#endif
+inline Packet gather(const float* from, const Packet& index) {
+  float lanes[Packet::size];
+  index.store_unaligned(lanes);
+  for (float& lane : lanes) lane = from[static_cast<int>(lane)];
+  return Packet::load_unaligned(lanes);
+}
+#endif
 #else
 using Packet = float;
 #endif

@@ -74,6 +74,14 @@ inline Twin<V> fma(const Twin<V>& x, const Twin<V>& y, const Twin<V>& z) {
   return {fma(x.first, y.first, z.first), fma(x.second, y.second, z.second)};
 }
 template <class V>
+inline Twin<V> truncate(const Twin<V>& x) {
+  return {truncate(x.first), truncate(x.second)};
+}
+template <class V>
+inline Twin<V> gather(const float* from, const Twin<V>& index) {
+  return {gather(from, index.first), gather(from, index.second)};
+}
+template <class V>
 inline Twin<V> load(const Scalar<V>* from, const Twin<V>&) {
   return {load(from, V()), load(from + Lanes<V>::count, V())};
 }

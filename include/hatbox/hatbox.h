@@ -3,5 +3,6 @@
 
 #include <hatbox/arrays.h>
 #include <hatbox/disk.h>
+#include <hatbox/disk_table.h>
 #include <hatbox/isa.h>
 #include <hatbox/lights.h>

@@ -1,0 +1,64 @@
+// The solid-angle maps of disks with their inversion read from a table: a table is made once and serves every disk.
+#pragma once
+
+#include <hatbox/disk.h>
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+namespace hatbox {
+
+/// DiskMap::ld_radial or DiskMap::radial with the angle of a direction interpolated in a table of resolution²
+/// coefficients instead of a series found at every point (the idea is that of Guillén et al. 2017, §4.1). A map of its
+/// own: nothing is rejected, and the densities are exactly those of its samples. They only vary more over the light
+/// than those of the map it is based on.
+///
+/// Immutable; all calls may share one from any number of threads. Copies share the memory, which is 4·resolution²
+/// bytes.
+class DiskTable {
+ public:
+  static constexpr std::size_t least_resolution = 4;
+  static constexpr std::size_t greatest_resolution = 4096;
+
+  /// Computes the table, with TBB in the caller's task arena. Throws std::invalid_argument unless `base` is ld_radial
+  /// or radial and `resolution` between the two above.
+  explicit DiskTable(DiskMap base, std::size_t resolution = 1024);
+
+  // No moves: they copy, so that no table is ever without its memory.
+  DiskTable(const DiskTable&) = default;
+  DiskTable& operator=(const DiskTable&) = default;
+
+  DiskMap base() const noexcept { return base_; }
+  std::size_t resolution() const noexcept { return resolution_; }
+
+ private:
+  friend struct DiskTableKernels;
+
+  DiskMap base_;
+  std::size_t resolution_;
+  std::shared_ptr<const float[]> coefficients_;
+};
+
+// What disk.h says of these calls holds here too, but for how far `pdf` of a sample strays from 1/Ω over one light.
+// With 64² coefficients or more that is 5e-4 at 99 % of points with x, y within ±3 radii and height 0.05 to 3.05, 1e-6
+// from 10 radii on, and 2e-2 at 99 % of points hugging the light (height 1e-5 to 1e-1).
+
+void sample(const Disk& light, const DiskTable& table, Points points, Variates variates, Samples out);
+void pdf(const Disk& light, const DiskTable& table, Points points, Directions directions, std::span<float> out);
+void pdf(const Disk& light, const DiskTable& table, Points points, Places places, std::span<float> out);
+void invert(const Disk& light, const DiskTable& table, Points points, Directions directions, std::span<float> u,
+            std::span<float> v);
+
+namespace parallel {
+void sample(const Disk& light, const DiskTable& table, Points points, Variates variates, Samples out,
+            std::size_t grain = 0);
+void pdf(const Disk& light, const DiskTable& table, Points points, Directions directions, std::span<float> out,
+         std::size_t grain = 0);
+void pdf(const Disk& light, const DiskTable& table, Points points, Places places, std::span<float> out,
+         std::size_t grain = 0);
+void invert(const Disk& light, const DiskTable& table, Points points, Directions directions, std::span<float> u,
+            std::span<float> v, std::size_t grain = 0);
+}  // namespace parallel
+
+}  // namespace hatbox
