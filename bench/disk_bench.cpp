@@ -76,7 +76,9 @@ void measure(benchmark::State& state, const Case& c, const Work& work) {
   }
 }
 
-void measure_map(benchmark::State& state, const Case& c, Isa isa, DiskMap map) {
+/// `map` is a DiskMap or a DiskTable.
+template <class Map>
+void measure_map(benchmark::State& state, const Case& c, Isa isa, const Map& map) {
   Arrays& a = arrays(c);
   force_isa(isa);
   measure(state, c, [&](bool in_parallel) {
@@ -86,6 +88,11 @@ void measure_map(benchmark::State& state, const Case& c, Isa isa, DiskMap map) {
       sample(light, map, a.points(), a.variates(), a.samples());
     }
   });
+}
+
+const DiskTable& table_of(std::size_t resolution) {
+  static std::map<std::size_t, DiskTable> all;
+  return all.try_emplace(resolution, DiskMap::ld_radial, resolution).first->second;
 }
 
 /// The paper's own way, a sample at a time in double: eq. 19 by Boost.Math, inverted by Newton's method.
@@ -116,6 +123,21 @@ class Registry {
   std::vector<Case> cases;
 };
 
+/// The tables, 64² of which the first-level cache holds and 1024² as the paper has it.
+void register_tables(Registry& registry) {
+  for (const std::size_t k : {std::size_t{1}, std::size_t{16}}) {
+    for (const std::size_t resolution : {std::size_t{64}, std::size_t{1024}}) {
+      for (const Isa isa : available_isas()) {
+        const Case c{
+            .map = "table_" + std::to_string(resolution), .isa = name(isa), .samples_per_point = k, .points = 4096};
+        registry.add(c, [isa, resolution](benchmark::State& state, const Case& now) {
+          measure_map(state, now, isa, table_of(resolution));
+        });
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Case> register_disk_cases() {
@@ -142,6 +164,7 @@ std::vector<Case> register_disk_cases() {
       }
     }
   }
+  register_tables(registry);
   for (const auto& [map_name, map] : maps) {
     if (map == DiskMap::area) continue;
     const Case c{.map = map_name, .isa = "reference", .threads = 1, .samples_per_point = 1, .points = 256};

@@ -1,13 +1,14 @@
 // A row of the table is the exact map of one ellipse. The inverse of a uniform angle solves the autonomous equation
 //   dη/dθ = c (1 + h(η)),  c = (2/π) ∫ dη/(1 + h) over the quarter turn
-// (Guillén et al. 2017, eq. 16-21 in the angle η), so no integral is inverted: Runge-Kutta's steps lead from one place
-// of the row to the next. Then the row's B-spline is made to pass through them.
+// (Guillén et al. 2017, eq. 16-21 in the angle η), so no integral is inverted: Runge-Kutta's steps lead through it.
+// Then the row's B-spline is made to pass through the result.
 #include "eta_rows.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -46,73 +47,104 @@ Ellipse ellipse_of_row(double sigma) {
   return on_curve((low + high) / 2);
 }
 
-/// θ ↦ η − θ of an ellipse, from θ = 0 onwards.
+/// θ ↦ η − θ of an ellipse, for θ in the first quarter turn: by Runge-Kutta's fourth-order steps, between which it is
+/// the cubic of their values and slopes.
 class Inverse {
  public:
-  explicit Inverse(const Ellipse& ellipse) : ellipse_(ellipse) {
-    constexpr int nodes = 256;
-    double sum = 0;
-    for (int i = 0; i < nodes; ++i) sum += 1 / ellipse.one_plus_height((i + 0.5) * (pi / 2 / nodes));
-    c_ = sum / nodes;
-  }
-
-  /// dη/dθ − 1.
-  double slope_less_one(double eta) const { return c_ * ellipse_.one_plus_height(eta) - 1; }
-
-  double advance_to(double theta) {
-    constexpr double longest_step = 0.02;
-    const int steps = 1 + static_cast<int>((theta - theta_) / longest_step);
-    const double h = (theta - theta_) / steps;
-    for (int i = 0; i < steps; ++i, theta_ += h) {
-      const double k1 = slope_less_one(theta_ + shift_);
-      const double k2 = slope_less_one(theta_ + h / 2 + shift_ + h / 2 * k1);
-      const double k3 = slope_less_one(theta_ + h / 2 + shift_ + h / 2 * k2);
-      const double k4 = slope_less_one(theta_ + h + shift_ + h * k3);
-      shift_ += h / 6 * (k1 + 2 * (k2 + k3) + k4);
+  explicit Inverse(const Ellipse& ellipse) : ellipse_(ellipse), c_(normalization(ellipse)) {
+    for (std::size_t i = 0; i < steps; ++i) {
+      const double theta = static_cast<double>(i) * h, y = shift_[i];
+      const double k1 = slope_[i] = slope(theta + y);
+      const double k2 = slope(theta + h / 2 + y + h / 2 * k1);
+      const double k3 = slope(theta + h / 2 + y + h / 2 * k2);
+      const double k4 = slope(theta + h + y + h * k3);
+      shift_[i + 1] = y + h / 6 * (k1 + 2 * (k2 + k3) + k4);
     }
-    return shift_;
+    slope_[steps] = slope(pi / 2);
   }
+
+  double operator()(double theta) const {
+    const double position = theta / h;
+    const std::size_t i = std::min(static_cast<std::size_t>(position), steps - 1);
+    const double t = position - static_cast<double>(i), rest = 1 - t;
+    return rest * rest * (shift_[i] * (1 + 2 * t) + h * t * slope_[i]) +
+           t * t * (shift_[i + 1] * (1 + 2 * rest) - h * rest * slope_[i + 1]);
+  }
+
+  /// Of η − θ, at the ends.
+  double first_slope() const { return slope_[0]; }
+  double last_slope() const { return slope_[steps]; }
 
  private:
+  static constexpr std::size_t steps = 64;
+  static constexpr double h = pi / 2 / steps;
+
+  static double normalization(const Ellipse& ellipse) {
+    double sum = 0;
+    for (std::size_t i = 0; i < steps; ++i) sum += 1 / ellipse.one_plus_height((static_cast<double>(i) + 0.5) * h);
+    return sum / steps;
+  }
+
+  double slope(double eta) const { return c_ * ellipse_.one_plus_height(eta) - 1; }
+
   Ellipse ellipse_;
   double c_;
-  double theta_ = 0, shift_ = 0;
+  std::array<double, steps + 1> shift_{}, slope_{};
 };
 
-/// D at x = −1, at the middles of the row's cells, and at x = 1.
-std::vector<double> values_of_row(const Ellipse& ellipse, std::size_t cells) {
-  std::vector<double> values(cells + 2);
-  Inverse inverse(ellipse);
-  const double scale = 1 / ellipse.amplitude();
-  values[0] = 1 - scale * inverse.slope_less_one(pi / 2);
-  values[cells + 1] = 1 + scale * inverse.slope_less_one(0);
-  for (std::size_t i = cells; i > 0; --i) {
-    const double x = (2 * static_cast<double>(i) - 1) / static_cast<double>(cells) - 1;
-    const double theta = std::acos(x) / 2;
-    values[i] = 1 + scale * 2 * inverse.advance_to(theta) / std::sin(2 * theta);
+/// Where in a row D is taken, the middles of the cells of x = cos 2θ, from the last one to the first.
+struct Place {
+  double theta, sin_2theta;
+};
+
+std::vector<Place> places_in_row(std::size_t cells) {
+  std::vector<Place> places(cells);
+  for (std::size_t i = 0; i < cells; ++i) {
+    const double two_theta = std::acos(1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(cells));
+    places[i] = {two_theta / 2, std::sin(two_theta)};
   }
+  return places;
+}
+
+/// D at x = −1, in the middles of the row's cells, and at x = 1.
+std::vector<double> values_of_row(const Ellipse& ellipse, const std::vector<Place>& places) {
+  const std::size_t cells = places.size();
+  std::vector<double> values(cells + 2);
+  const Inverse inverse(ellipse);
+  const double scale = 1 / ellipse.amplitude();
+  values[0] = 1 - scale * inverse.last_slope();
+  for (std::size_t i = 0; i < cells; ++i) {
+    values[cells - i] = 1 + 2 * scale * inverse(places[i].theta) / places[i].sin_2theta;
+  }
+  values[cells + 1] = 1 + scale * inverse.first_slope();
   return values;
 }
 
-/// The quadratic B-spline through the values: (c[i−1] + 6c[i] + c[i+1])/8 in the middles of the cells and
-/// (c[i] + c[i+1])/2 at both ends, by elimination in place.
-void solve_spline(std::vector<double>& c) {
-  const std::size_t last = c.size() - 1;
-  std::vector<double> next(c.size());  // of the eliminated equations c[i] + next[i] c[i+1] = c[i]'s right-hand side
-  next[0] = 1;
-  c[0] *= 2;
-  for (std::size_t i = 1; i < last; ++i) {
-    const double pivot = 6 - next[i - 1];
-    next[i] = 1 / pivot;
-    c[i] = (8 * c[i] - c[i - 1]) / pivot;
+/// The quadratic B-spline through the values of a row: (c[i−1] + 6c[i] + c[i+1])/8 in the middles of the cells and
+/// (c[i] + c[i+1])/2 at both ends. Eliminated once for all rows, to c[i] + upper[i] c[i+1] = right-hand side.
+class Spline {
+ public:
+  explicit Spline(std::size_t coefficients) : upper_(coefficients - 1) {
+    upper_[0] = 1;
+    for (std::size_t i = 1; i < upper_.size(); ++i) upper_[i] = 1 / (6 - upper_[i - 1]);
   }
-  c[last] = (2 * c[last] - c[last - 1]) / (1 - next[last - 1]);
-  for (std::size_t i = last; i > 0; --i) c[i - 1] -= next[i - 1] * c[i];
-}
 
-void fill_row(float* row, std::size_t resolution, double sigma) {
-  std::vector<double> c = values_of_row(ellipse_of_row(sigma), resolution - 2);
-  solve_spline(c);
+  /// From values to coefficients, in place.
+  void solve(std::vector<double>& c) const {
+    const std::size_t last = upper_.size();
+    c[0] *= 2;
+    for (std::size_t i = 1; i < last; ++i) c[i] = (8 * c[i] - c[i - 1]) * upper_[i];
+    c[last] = (2 * c[last] - c[last - 1]) / (1 - upper_[last - 1]);
+    for (std::size_t i = last; i > 0; --i) c[i - 1] -= upper_[i - 1] * c[i];
+  }
+
+ private:
+  std::vector<double> upper_;
+};
+
+void fill_row(float* row, double sigma, const std::vector<Place>& places, const Spline& spline) {
+  std::vector<double> c = values_of_row(ellipse_of_row(sigma), places);
+  spline.solve(c);
   std::transform(c.begin(), c.end(), row, [](double value) { return static_cast<float>(value); });
 }
 
@@ -120,10 +152,12 @@ void fill_row(float* row, std::size_t resolution, double sigma) {
 
 std::shared_ptr<const float[]> make_eta_rows(std::size_t resolution) {
   const auto rows = std::make_shared<float[]>(resolution * resolution);  // zeros, as D is where σ is 0
+  const std::vector<Place> places = places_in_row(resolution - 2);
+  const Spline spline(resolution);
   tbb::this_task_arena::isolate([&] {
     tbb::parallel_for(std::size_t{1}, resolution, [&](std::size_t row) {
       const double sigma = static_cast<double>(row) / static_cast<double>(resolution - 1);
-      fill_row(rows.get() + row * resolution, resolution, sigma);
+      fill_row(rows.get() + row * resolution, sigma, places, spline);
     });
   });
   return rows;
