@@ -11,12 +11,23 @@ Disk scaled(const Disk& light, float scale) {
   return {scaled(light.center, scale), light.normal, scale * light.radius};
 }
 
+/// Made once: they are the same for every light.
+const std::vector<DiskTable>& tables() {
+  static const std::vector<DiskTable> result{DiskTable(DiskMap::ld_radial, 8), DiskTable(DiskMap::ld_radial, 64),
+                                             DiskTable(DiskMap::radial, 8), DiskTable(DiskMap::radial, 64)};
+  return result;
+}
+
 }  // namespace
 
 std::vector<Sampler> all_samplers(Pose pose, float scale) {
   std::vector<Sampler> result;
   const Disk disk = scaled(disk_in(pose), scale);
   for (const DiskMap map : all_disk_maps) result.emplace_back(std::string("disk_") + name(map), disk, map);
+  for (const DiskTable& table : tables()) {
+    const std::string map = std::string("disk_table_") + name(table.base());
+    result.emplace_back(map + "_" + std::to_string(table.resolution()), disk, table);
+  }
   return result;
 }
 

@@ -1,0 +1,75 @@
+// Is the pdf that a map's `sample` returns its true density? The map, which must be one in double, is differentiated
+// numerically, and the solid angle it stretches du dv over must be du dv/pdf.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace hatbox::test {
+
+using Direction = std::array<double, 3>;
+
+inline Direction operator-(const Direction& a, const Direction& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline Direction operator*(double s, const Direction& a) { return {s * a[0], s * a[1], s * a[2]}; }
+
+inline double area(const Direction& a, const Direction& b) {
+  const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
+  return std::sqrt(x * x + y * y + z * z);
+}
+
+inline double distance(const Direction& a, const Direction& b) {
+  const Direction d = a - b;
+  return std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
+}
+
+/// f'(0) by central differences, extrapolated to a step of 0 from ever smaller ones; of all the extrapolations the one
+/// that agrees best with those it was made from (Ridders 1982). No one step would do: 1e-5 above the disk a direction
+/// turns over within 1e-5 of the square, and far from it rounding asks for a step a thousand times that.
+template <class F>
+Direction derivative(const F& f, double largest_step) {
+  constexpr std::size_t levels = 8;
+  constexpr double ratio = 2.5;
+  std::array<Direction, levels> previous{}, row{};
+  Direction best{};
+  double best_error = std::numeric_limits<double>::infinity();
+  double h = largest_step;
+  while (distance(f(h), f(-h)) > 0.05) h /= 2;  // the map bends on the scale of the directions it has swept
+  for (std::size_t i = 0; i < levels && best_error > 1e-11 * distance(best, {}); ++i, h /= ratio) {
+    row[0] = 1 / (2 * h) * (f(h) - f(-h));
+    double factor = 1;
+    for (std::size_t j = 1; j <= i; ++j) {
+      factor *= ratio * ratio;
+      row[j] = 1 / (factor - 1) * (factor * row[j - 1] - previous[j - 1]);
+      const double error = std::max(distance(row[j], row[j - 1]), distance(row[j], previous[j - 1]));
+      if (error < best_error) {
+        best_error = error;
+        best = row[j];
+      }
+    }
+    previous = row;
+  }
+  return best;
+}
+
+/// |J·pdf − 1| at (u, v), from steps of at most so much.
+template <class Map>
+double jacobian_error(const Map& map, double u, double v, double step_u, double step_v) {
+  const auto at = [&](double du, double dv) {
+    const auto sample = map.sample(u + du, v + dv);
+    return Direction{sample.direction[0], sample.direction[1], sample.direction[2]};
+  };
+  const Direction by_u = derivative([&](double d) { return at(d, 0); }, step_u);
+  const Direction by_v = derivative([&](double d) { return at(0, d); }, step_v);
+  return std::abs(area(by_u, by_v) * map.sample(u, v).pdf - 1);
+}
+
+/// How far a step may go: not over an edge of the square, nor over a seam or the centre of the concentric map.
+inline double jacobian_step(double u, double v) {
+  const double a = std::abs(2 * u - 1), b = std::abs(2 * v - 1);
+  return 0.2 * std::min(std::abs(a - b), 1 - std::max(a, b));
+}
+
+}  // namespace hatbox::test
