@@ -2,6 +2,7 @@
 
 #include "arrays.h"
 #include "reference/disk_reference.h"
+#include "reference/paper_table.h"
 
 #include <hatbox/hatbox.h>
 
@@ -108,6 +109,22 @@ void measure_reference(benchmark::State& state, const Case& c, DiskMap map) {
   }
 }
 
+/// The paper's tabulated map: the solid angle by eq. 19, once for the samples of a point, and the samples by its table.
+void measure_paper_table(benchmark::State& state, const Case& c) {
+  static const reference::PaperTable table(1024);
+  Arrays& a = arrays(c);
+  const reference::DiskFrame<double> frame(light);
+  const Points p = a.points();
+  for (auto _ : state) {
+    for (std::size_t i = 0; i < a.point_count(); ++i) {
+      const reference::PaperDisk disk(frame, {p.x[i], p.y[i], p.z[i]});
+      for (std::size_t at = i; at < a.sample_count(); at += a.point_count()) {
+        benchmark::DoNotOptimize(table.sample(disk, a.variates().u[at], a.variates().v[at]));
+      }
+    }
+  }
+}
+
 class Registry {
  public:
   template <class Measure>
@@ -123,18 +140,23 @@ class Registry {
   std::vector<Case> cases;
 };
 
-/// The tables, 64² of which the first-level cache holds and 1024² as the paper has it.
+/// The tables, 64² of which the first-level cache holds and 1024² as the paper has it, and the paper's own.
 void register_tables(Registry& registry) {
   for (const std::size_t k : {std::size_t{1}, std::size_t{16}}) {
     for (const std::size_t resolution : {std::size_t{64}, std::size_t{1024}}) {
       for (const Isa isa : available_isas()) {
-        const Case c{
-            .map = "table_" + std::to_string(resolution), .isa = name(isa), .samples_per_point = k, .points = 4096};
+        const Case c{.map = "table_" + std::to_string(resolution),
+                     .isa = name(isa),
+                     .reference_map = "paper_table",
+                     .samples_per_point = k,
+                     .points = 4096};
         registry.add(c, [isa, resolution](benchmark::State& state, const Case& now) {
           measure_map(state, now, isa, table_of(resolution));
         });
       }
     }
+    registry.add({.map = "paper_table", .isa = "reference", .samples_per_point = k, .points = 256},
+                 measure_paper_table);
   }
 }
 

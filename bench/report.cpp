@@ -69,7 +69,9 @@ std::vector<Row> compare(const std::vector<Case>& cases, const Collector& collec
     row.vs_area = ratio(row.ns_per_sample, collector.ns_per_sample(area));
     row.vs_copy = ratio(row.ns_per_sample, collector.ns_per_sample(copy));
     const auto reference = std::find_if(cases.begin(), cases.end(), [&](const Case& other) {
-      return other.isa == "reference" && other.light == c.light && other.map == c.map;
+      const bool same_map = other.map == (c.reference_map.empty() ? c.map : c.reference_map);
+      return other.isa == "reference" && other.light == c.light && same_map &&
+             (c.reference_map.empty() || other.samples_per_point == c.samples_per_point);
     });
     if (reference != cases.end()) row.vs_reference = ratio(collector.ns_per_sample(*reference), row.ns_per_sample);
     rows.push_back(row);

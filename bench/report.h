@@ -13,6 +13,7 @@ namespace hatbox::bench {
 /// One case. The map "copy" (isa "any") copies the arrays; the isa "reference" is the scalar double reference.
 struct Case {
   std::string light = {}, map = {}, isa = {}, workload = {};
+  std::string reference_map = {};  // the reference's, if not called like the map
   int threads = 1;
   std::size_t samples_per_point = 1, points = 0;
 

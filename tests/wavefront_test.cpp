@@ -231,7 +231,7 @@ TEST(Render, converges_to_the_known_irradiance) {
   const Scene scene = parse(patch_under_light);
   const RayTracer tracer(scene);
   const float expected = 0.5f * 4 / (4 + 2.25f);
-  for (const char* map : {"area", "ld_radial", "radial", "auto"}) {
+  for (const char* map : {"area", "ld_radial", "radial", "table", "auto"}) {
     const Render result = render(scene, tracer, small_settings(map), "");
     EXPECT_EQ(result.light_samples, 5u * 3 * 16 * 64);
     for (const Rgb& pixel : result.image.pixels) {

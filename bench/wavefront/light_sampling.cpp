@@ -22,11 +22,18 @@ LightSampling far_switch(const char* name, float below) {
           }};
 }
 
+LightSampling by_table(const char* name, hatbox::DiskMap base) {
+  return {name, [table = hatbox::DiskTable(base)](const auto& light, const auto& points, const auto& variates,
+                                                  const auto& out) {
+            hatbox::parallel::sample(light, table, points, variates, out);
+          }};
+}
+
 const std::vector<LightSampling>& all() {
   using hatbox::DiskMap;
-  static const std::vector<LightSampling> result{by_map("area", DiskMap::area), by_map("ld_radial", DiskMap::ld_radial),
-                                                 by_map("radial", DiskMap::radial),
-                                                 by_map("parallel", DiskMap::parallel), far_switch("auto", 1e-2f)};
+  static const std::vector<LightSampling> result{
+      by_map("area", DiskMap::area),         by_map("ld_radial", DiskMap::ld_radial), by_map("radial", DiskMap::radial),
+      by_map("parallel", DiskMap::parallel), by_table("table", DiskMap::ld_radial),   far_switch("auto", 1e-2f)};
   return result;
 }
 

@@ -15,8 +15,14 @@ class PaperDisk {
   double solid_angle() const { return 4 * whole_; }
   DiskSample sample(DiskMap map, float u, float v) const;
 
+  double sin_alpha() const { return a_; }
+  double sin_beta() const { return b_; }
+  double rim_radius(double phi) const;  // equation 18: sin θ(φ)
+
+  /// The sample in a direction of the ellipse's own frame (z is its centre), with the density 1/Ω.
+  DiskSample at(const Vector<double>& q) const { return view_.sample(from_ellipse(q.x, q.y, q.z), 1 / solid_angle()); }
+
  private:
-  double rim_radius(double phi) const;     // equation 18
   double quadrant_area(double phi) const;  // equation 19
   double slice_height(double phi) const;   // equation 9
   double slices_area(double phi) const;    // equation 11
