@@ -155,7 +155,11 @@ void register_tables(Registry& registry) {
         });
       }
     }
-    registry.add({.map = "paper_table", .isa = "reference", .samples_per_point = k, .points = 256},
+    registry.add({.map = "paper_table",
+                  .isa = "reference",
+                  .reference_map = "paper_table",
+                  .samples_per_point = k,
+                  .points = 256},
                  measure_paper_table);
   }
 }

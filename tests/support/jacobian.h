@@ -15,12 +15,13 @@ using Direction = std::array<double, 3>;
 inline Direction operator-(const Direction& a, const Direction& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 inline Direction operator*(double s, const Direction& a) { return {s * a[0], s * a[1], s * a[2]}; }
 
-inline double area(const Direction& a, const Direction& b) {
+inline double parallelogram(const Direction& a, const Direction& b) {
   const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
   return std::sqrt(x * x + y * y + z * z);
 }
 
-inline double distance(const Direction& a, const Direction& b) {
+/// Of their difference.
+inline double largest_component(const Direction& a, const Direction& b) {
   const Direction d = a - b;
   return std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
 }
@@ -36,14 +37,14 @@ Direction derivative(const F& f, double largest_step) {
   Direction best{};
   double best_error = std::numeric_limits<double>::infinity();
   double h = largest_step;
-  while (distance(f(h), f(-h)) > 0.05) h /= 2;  // the map bends on the scale of the directions it has swept
-  for (std::size_t i = 0; i < levels && best_error > 1e-11 * distance(best, {}); ++i, h /= ratio) {
+  while (largest_component(f(h), f(-h)) > 0.05) h /= 2;  // the map bends on the scale of the directions it has swept
+  for (std::size_t i = 0; i < levels && best_error > 1e-11 * largest_component(best, {}); ++i, h /= ratio) {
     row[0] = 1 / (2 * h) * (f(h) - f(-h));
     double factor = 1;
     for (std::size_t j = 1; j <= i; ++j) {
       factor *= ratio * ratio;
       row[j] = 1 / (factor - 1) * (factor * row[j - 1] - previous[j - 1]);
-      const double error = std::max(distance(row[j], row[j - 1]), distance(row[j], previous[j - 1]));
+      const double error = std::max(largest_component(row[j], row[j - 1]), largest_component(row[j], previous[j - 1]));
       if (error < best_error) {
         best_error = error;
         best = row[j];
@@ -63,7 +64,7 @@ double jacobian_error(const Map& map, double u, double v, double step_u, double 
   };
   const Direction by_u = derivative([&](double d) { return at(d, 0); }, step_u);
   const Direction by_v = derivative([&](double d) { return at(0, d); }, step_v);
-  return std::abs(area(by_u, by_v) * map.sample(u, v).pdf - 1);
+  return std::abs(parallelogram(by_u, by_v) * map.sample(u, v).pdf - 1);
 }
 
 /// How far a step may go: not over an edge of the square, nor over a seam or the centre of the concentric map.
