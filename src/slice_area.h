@@ -14,10 +14,12 @@
 // of ψ. Both vanish like ζ³ at the end, and are formed without the cancellation this implies: short slices decide where
 // the ends of the pattern lie. No difference of large terms is taken for far lights either.
 //
+// Measured against Carlson's form of eq. 11, b_t² s (R_F − (1 + b_t²)/3 s² R_J), by Boost in scalar float on W1: an
+// evaluation here costs 40 ns after a set-up of 120, there 145; the share of the area is off by 1.3e-7 at 99.9 %, there
+// by 6e-7, and there the short slices are a difference of two long ones.
+//
 // The density of a sample is that of f, exactly, so what its truncation costs is a slight variation, never bias.
 //
-// Carlson's form of eq. 11 needs R_F and R_J for each of Newton's steps, where this takes one arc tangent and two
-// divisions.
 #pragma once
 
 #include "spherical_ellipse.h"
@@ -59,6 +61,7 @@ struct Slices {
   SinCos<V> zeta;
   V area;    // in units that `half` shares
   V slope;   // of it, an octant of ζ
+  V bend;    // half of the relative slope of the slope, an octant of ζ, times sin ζ; without the part of f
   V weight;  // density over the mean density
 };
 
@@ -83,12 +86,14 @@ class SliceArea {
 
   HATBOX_INLINE Slices<V> upto(V octants) const;
 
-  /// Where the share of the half is `share`, 0 < share <= 1, by Newton's method: a first guess, and a better one.
+  /// Where the share of the half is `share`, 0 < share <= 1, by Newton's method with Halley's correction, which costs
+  /// no second division: a first guess, and a better one. What would leave the bracket halves it instead.
   HATBOX_INLINE SliceBracket<V> first_guess(V share) const;
   HATBOX_INLINE SliceBracket<V> better_guess(const SliceBracket<V>& bracket, V share) const;
 
  private:
-  // The order of f.
+  // The order of f. Half the variation of the density: 1e-6 at 99.9 % of W1 for three, 7e-8 for four, 2e-9 for five; at
+  // 99 % of W2 3e-3, 2e-3, 4e-4.
   static constexpr int order = 4;
   static constexpr double f_[] = {1, -1.0 / 2, 3.0 / 8, -5.0 / 16, 35.0 / 128};  // (1 + v)^−½
 
@@ -209,11 +214,12 @@ HATBOX_INLINE inline Slices<V> SliceArea<V>::upto(V octants) const {
   for (int i = order - 1; i >= 0; --i) f = fma(f, v, constant<V>(f_[i]));
 
   const V area = fma(sincos * sin2, fma(cos2, outer, inner), select(at_end, elementary_at_end, elementary));
-  return {zeta, area, constant<V>(pi / 4) * sin2 * f, f * sqrt(one_minus_nu_ + w)};
+  const V octant = constant<V>(pi / 4);
+  return {zeta, area, octant * sin2 * f, octant * g_ * g_cos * inverse, f * sqrt(one_minus_nu_ + w)};
 }
 
-// At the end the area goes like ζ³, and without flattening ζ is (1 − g²)(area) + gψ: the root's ψ, bent so that it ends
-// at π/2, is within 10 % of it.
+// At the end the area goes like ζ³, and without flattening ζ is (1 − g)(π/2)(share) + gψ. The cube root's ψ, bent so
+// that it ends at π/2, gives ζ within 5 % around a disk, 35 % next to its rim.
 template <class V>
 HATBOX_INLINE inline SliceBracket<V> SliceArea<V>::first_guess(V share) const {
   const V t = start_scale_ * rough_cube_root(share);
@@ -229,7 +235,8 @@ HATBOX_INLINE inline SliceBracket<V> SliceArea<V>::better_guess(const SliceBrack
   const Mask<V> beyond = excess > V(0);
   const V low = select(beyond, bracket.low, bracket.guess);
   const V high = select(beyond, bracket.guess, bracket.high);
-  const V next = bracket.guess - excess / slices.slope;
+  const V sin = slices.zeta.sin;
+  const V next = bracket.guess - excess * sin / fma(slices.slope, sin, -(excess * slices.bend));
   const Mask<V> within = (next >= low) && (next <= high);
   return {low, high, select(within, next, V(0.5) * (low + high))};
 }

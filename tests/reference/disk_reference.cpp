@@ -143,6 +143,25 @@ Vector<double> PaperDisk::radial_point(DiskMap map, double u, double v, int& ite
   return {quadrant.sign_x * rho * std::cos(phi), quadrant.sign_y * rho * std::sin(phi), h};
 }
 
+int PaperDisk::published_steps(float u) const {
+  constexpr int most = 100;
+  constexpr double tolerance = 1e-9;
+  const double target = clamp_variate(u) * whole_;
+  double phi = clamp_variate(u) * half_pi;
+  for (int step = 1; step < most; ++step) {
+    const double sin = std::sin(phi), cos = std::cos(phi);
+    const double parametric_sin = std::sin(std::atan2(tangent_ratio_ * sin, cos));
+    const double s2 = parametric_sin * parametric_sin;
+    const double integrand = factor_ / ((1 - n_ * s2) * std::sqrt(1 - k_ * k_ * s2));
+    const double parametric_slope = tangent_ratio_ / (cos + tangent_ratio_ * sin);  // right: cos² + (a_t/b_t)² sin²
+    const double residual = quadrant_area(phi) - target;
+    const double next = std::clamp(phi - residual / (1 - integrand * parametric_slope), 0.0, half_pi);
+    if (std::abs(next - phi) < tolerance || std::abs(residual) < tolerance) return step;
+    phi = next;
+  }
+  return most;
+}
+
 /// Equation 13, and 14 and 15 as printed.
 Vector<double> PaperDisk::parallel_point(double u, double v, int& iterations) const {
   const double beta = std::asin(b_);
