@@ -21,6 +21,7 @@ class PaperDisk {
 
   /// The sample in a direction of the ellipse's own frame (z is its centre), with the density 1/Ω.
   DiskSample at(const Vector<double>& q) const { return view_.sample(from_ellipse(q.x, q.y, q.z), 1 / solid_angle()); }
+
   /// The Newton steps, at most 100, of the authors' published code for the radial map, as far as it can be told: it has
   /// no bracket, and the parametric angle's derivative in it lacks its squares.
   int published_steps(float u) const;
