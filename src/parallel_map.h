@@ -101,7 +101,9 @@ class ParallelMap {
     const V sin = abs(chi.sin);
     const Mask<V> low = chi.cos < sin;
     const V octant = constant<V>(4 / pi) * atan_unit(select(low, chi.cos, sin) / select(low, sin, chi.cos));
-    return area_.upto(select(low, octant, V(2) - octant));
+    // No sample lies nearer to an end; rounding may take a query there, where squares would underflow.
+    const V nearest = constant<V>(0.25 * std::numeric_limits<Scalar<V>>::epsilon());
+    return area_.upto(max(select(low, octant, V(2) - octant), nearest));
   }
 
   V pdf(const SinCos<V>& chi, Mask<V> hit) const {

@@ -87,6 +87,24 @@ TEST_P(Contract, NoBadNumbersFromBadPlaces) {
   }
 }
 
+/// The density at its own place is never 0, wherever a sample could be taken.
+TEST_P(Contract, NoSampleIsOffItsPlace) {
+  const PointArrays points = adversarial_points();
+  for (const Sampler& sampler : all_samplers(pose())) {
+    SCOPED_TRACE(sampler.name);
+    for (const std::size_t k : sample_counts) {
+      const VariateArrays variates = make_variates(k * points.size());
+      SampleArrays samples(variates.size());
+      std::vector<float> at_place(variates.size());
+      sampler.sample(points.view(), variates.view(), samples.view(), {});
+      sampler.pdf_of_place(points.view(), samples.places(), at_place, {});
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        ASSERT_EQ(at_place[i] > 0, samples.valid(i)) << "point " << i % points.size();
+      }
+    }
+  }
+}
+
 TEST_P(Contract, NothingIsSampledFromNowhere) {
   PointArrays points;
   for (const float bad : {nan, infinity, -infinity}) {
