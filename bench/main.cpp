@@ -1,5 +1,6 @@
 // hatbox_bench: what a sample costs. Repetitions of all cases are interleaved at random and compared by their medians,
 // so that what else the machine does falls on all of them alike.
+#include "carlson_bench.h"
 #include "disk_bench.h"
 #include "distance_bench.h"
 
@@ -8,6 +9,7 @@
 #include <cstdio>
 #include <exception>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -34,7 +36,8 @@ int run(int argc, char** argv) {
   benchmark::Initialize(&count, pointers.data());
   if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 1;
 
-  const std::vector<Case> cases = register_disk_cases();
+  std::vector<Case> cases = register_disk_cases();
+  for (Case& c : register_carlson_cases()) cases.push_back(std::move(c));
   const std::vector<DistanceRow> distances = register_distance_cases();
   Collector collector((cases.size() + distances.size()) * static_cast<std::size_t>(repetitions));
   benchmark::RunSpecifiedBenchmarks(&collector);

@@ -71,6 +71,18 @@ struct MapKernels {
 
 inline constexpr std::size_t disk_map_count = 4;
 
+/// One call of an elliptic integral: the arrays of its arguments, in the order of the call.
+struct CarlsonJob {
+  const float* in[4];
+  float* out;
+};
+
+using CarlsonKernel = void (*)(const CarlsonJob&, std::size_t begin, std::size_t end);
+
+struct CarlsonKernels {
+  CarlsonKernel rf, rc, rd, rj, ellint_f, ellint_e, ellint_pi;
+};
+
 /// Everything one instruction set has to offer.
 struct KernelTable {
   const char* isa;                                 // what the object was compiled for: "scalar", "sse4_2", …
@@ -78,6 +90,7 @@ struct KernelTable {
   MapKernels<DiskConstants> disk[disk_map_count];  // in the order of DiskMap
   MapKernels<TabulatedDisk> disk_table[2];         // ld_radial, radial
   QueryKernel<DiskConstants> disk_solid_angle;
+  CarlsonKernels carlson;
   // residual[i] = x[i]·y[i] − round(x[i]·y[i]): how the tests see that `fma` is fused. n is a multiple of lanes.
   void (*product_residual)(const float* x, const float* y, float* residual, std::size_t n);
 };

@@ -1,5 +1,6 @@
 // The kernels of one instruction set. Compiled once for each of them, with HATBOX_ISA and, but for scalar, its
 // HATBOX_ISA_ARCH (cmake/isa_kernels.cmake); the table is all that an object exports.
+#include "carlson_kernels.h"
 #include "light_kernels.h"
 #include "maps.h"
 
@@ -18,6 +19,7 @@ constexpr KernelTable table = {
              kernels_of<DiskRadial, DiskConstants>, kernels_of<DiskParallel, DiskConstants>},
     .disk_table = {kernels_of<DiskTableLdRadial, TabulatedDisk>, kernels_of<DiskTableRadial, TabulatedDisk>},
     .disk_solid_angle = solid_angle<DiskCone, DiskConstants>,
+    .carlson = {rf_kernel, rc_kernel, rd_kernel, rj_kernel, ellint_f_kernel, ellint_e_kernel, ellint_pi_kernel},
     .product_residual = product_residual,
 };
 

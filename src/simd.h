@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <type_traits>
@@ -99,6 +100,23 @@ template <class T>
 inline IfScalar<T> gather(const float* from, T index) {  // of a table; the index is a whole number >= 0
   return static_cast<T>(from[static_cast<int>(index)]);
 }
+inline bool any(bool mask) { return mask; }
+/// The power of two at or below x, for a normal x > 0: its exponent bits.
+inline float power_of_two(float x) {
+  std::uint32_t bits;
+  std::memcpy(&bits, &x, sizeof x);
+  bits &= 0x7f800000u;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
+inline double power_of_two(double x) {
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof x);
+  bits &= 0x7ff0000000000000u;
+  std::memcpy(&x, &bits, sizeof x);
+  return x;
+}
+
 #ifdef HATBOX_ISA_ARCH
 // For the one vector type of this object. No templates, so that they win over xsimd's functions of the same name.
 using Packet = xsimd::batch<float, HATBOX_ISA_ARCH>;
@@ -130,6 +148,8 @@ inline Packet min(const Packet& x, const Packet& y) { return select(x < y, x, y)
 inline Packet max(const Packet& x, const Packet& y) { return select(x > y, x, y); }
 #endif
 inline Packet copysign(const Packet& magnitude, const Packet& sign) { return magnitude | (sign & Packet(-0.0f)); }
+inline bool any(const PacketMask& mask) { return xsimd::any(mask); }
+inline Packet power_of_two(const Packet& x) { return x & constant<Packet>(infinity<Packet>); }
 inline Packet load(const float* from, const Packet&) { return Packet::load_unaligned(from); }
 inline void store(float* to, const Packet& x) { x.store_unaligned(to); }
 #if defined(__AVX512F__)

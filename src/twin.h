@@ -14,6 +14,9 @@ struct TwinMask {
   friend TwinMask operator&&(const TwinMask& x, const TwinMask& y) {
     return {x.first && y.first, x.second && y.second};
   }
+  friend TwinMask operator||(const TwinMask& x, const TwinMask& y) {
+    return {x.first || y.first, x.second || y.second};
+  }
   TwinMask operator!() const { return {!first, !second}; }
 };
 
@@ -68,6 +71,14 @@ inline Twin<V> max(const Twin<V>& x, const Twin<V>& y) {
 template <class V>
 inline Twin<V> copysign(const Twin<V>& x, const Twin<V>& y) {
   return {copysign(x.first, y.first), copysign(x.second, y.second)};
+}
+template <class M>
+inline bool any(const TwinMask<M>& mask) {
+  return any(mask.first || mask.second);
+}
+template <class V>
+inline Twin<V> power_of_two(const Twin<V>& x) {
+  return {power_of_two(x.first), power_of_two(x.second)};
 }
 template <class V>
 inline Twin<V> fma(const Twin<V>& x, const Twin<V>& y, const Twin<V>& z) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hatbox/arrays.h>
+#include <hatbox/carlson.h>
 #include <hatbox/disk.h>
 #include <hatbox/disk_table.h>
 #include <hatbox/isa.h>
