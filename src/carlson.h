@@ -25,9 +25,10 @@ struct Mean {
   V dx, dy, dz;  // A_0 − x_0 …, which is 4^n (A_n − x_n) …
   V reach;       // the series will do when A_n is 4^-n times this
 
-  HATBOX_INLINE Mean(V mean, V x, V y, V z, V p) : value(mean), shrink(V(1)), dx(mean - x), dy(mean - y), dz(mean - z) {
+  HATBOX_INLINE Mean(Mask<V> valid, V mean, V x, V y, V z, V p)
+      : value(mean), shrink(V(1)), dx(mean - x), dy(mean - y), dz(mean - z) {
     const V farthest = max(max(abs(dx), abs(dy)), max(abs(dz), abs(mean - p)));
-    reach = farthest * constant<V>(1 / series_reach<V>);
+    reach = select(valid, farthest * constant<V>(1 / series_reach<V>), V(0));
   }
   HATBOX_INLINE Mask<V> is_far() const { return reach * shrink > value; }
   HATBOX_INLINE void step(Mask<V> active, V quarter_lambda) {
@@ -77,10 +78,12 @@ struct Roots {
   V lambda() const { return fma(x, y, z * (x + y)); }
 };
 
+// What follows does not look at lanes that are not valid, but for this: none of them keeps a loop from ending.
+
 /// R_F of arguments whose sum does not overflow, at most one of them 0.
 template <class V>
-HATBOX_INLINE inline V duplicate_rf(V x, V y, V z) {
-  Mean<V> mean(constant<V>(1.0 / 3) * (x + y + z), x, y, z, x);
+HATBOX_INLINE inline V duplicate_rf(Mask<V> valid, V x, V y, V z) {
+  Mean<V> mean(valid, constant<V>(1.0 / 3) * (x + y + z), x, y, z, x);
   for (Mask<V> active = mean.is_far(); any(active); active = mean.is_far()) {
     const V quarter_lambda = V(0.25) * Roots<V>(x, y, z).lambda();
     x = fma(V(0.25), x, quarter_lambda);
@@ -94,8 +97,8 @@ HATBOX_INLINE inline V duplicate_rf(V x, V y, V z) {
 /// R_C of x >= 0, y > 0, whose sum does not overflow (DLMF 19.36.3 for the series, s = (y − A)/A). The next x is
 /// ((√x + √y)/2)², so its root costs nothing.
 template <class V>
-HATBOX_INLINE inline V duplicate_rc(V x, V y) {
-  Mean<V> mean(constant<V>(1.0 / 3) * (x + V(2) * y), x, y, y, y);
+HATBOX_INLINE inline V duplicate_rc(Mask<V> valid, V x, V y) {
+  Mean<V> mean(valid, constant<V>(1.0 / 3) * (x + V(2) * y), x, y, y, y);
   V root_x = sqrt(x);
   for (Mask<V> active = mean.is_far(); any(active); active = mean.is_far()) {
     const V root_y = sqrt(y);
@@ -132,6 +135,7 @@ inline double rc_near_one(double e) {
 template <class V>
 HATBOX_INLINE inline V rc_of_one(V y) {
   const V near = constant<V>(std::is_same_v<Scalar<V>, double> ? 1.0 / 64 : 1.0 / 4);
+  y = max(y, constant<V>(smallest_normal<V>));  // of a lane that is not valid: from 0 there is no way to 1
   V factor = V(1);
   V e = y - V(1);
   for (Mask<V> active = abs(e) > near; any(active); active = abs(e) > near) {
@@ -170,9 +174,9 @@ struct Means {
 
 /// R_F(x, y, z) and R_D(x, y, z). At most one of x and y is 0, z > 0; of the size ThirdKindScale gives them, or near 1.
 template <Wanted wanted, class V>
-HATBOX_INLINE inline FirstAndThird<V> duplicate_rf_rd(V x, V y, V z) {
-  Means<wanted, V> means{{constant<V>(1.0 / 3) * (x + y + z), x, y, z, x},
-                         {constant<V>(1.0 / 5) * (x + y + V(3) * z), x, y, z, x}};
+HATBOX_INLINE inline FirstAndThird<V> duplicate_rf_rd(Mask<V> valid, V x, V y, V z) {
+  Means<wanted, V> means{{valid, constant<V>(1.0 / 3) * (x + y + z), x, y, z, x},
+                         {valid, constant<V>(1.0 / 5) * (x + y + V(3) * z), x, y, z, x}};
   V sum = V(0);
   while (any(means.either_is_far())) {
     const Mask<V> active = means.third.is_far();
@@ -195,9 +199,9 @@ HATBOX_INLINE inline FirstAndThird<V> duplicate_rf_rd(V x, V y, V z) {
 /// R_F(x, y, z) and R_J(x, y, z, p). At most one of x, y, z is 0, p > 0; of the size ThirdKindScale gives them, or
 /// near 1.
 template <Wanted wanted, class V>
-HATBOX_INLINE inline FirstAndThird<V> duplicate_rf_rj(V x, V y, V z, V p) {
-  Means<wanted, V> means{{constant<V>(1.0 / 3) * (x + y + z), x, y, z, x},
-                         {constant<V>(1.0 / 5) * (x + y + z + V(2) * p), x, y, z, p}};
+HATBOX_INLINE inline FirstAndThird<V> duplicate_rf_rj(Mask<V> valid, V x, V y, V z, V p) {
+  Means<wanted, V> means{{valid, constant<V>(1.0 / 3) * (x + y + z), x, y, z, x},
+                         {valid, constant<V>(1.0 / 5) * (x + y + z + V(2) * p), x, y, z, p}};
   V sum = V(0);
   while (any(means.either_is_far())) {
     const Mask<V> active = means.third.is_far();
