@@ -25,7 +25,9 @@ constexpr Disk light{{0, 0, 0}, {0, 0, 1}, 1};
 constexpr std::pair<const char*, DiskMap> maps[] = {{"area", DiskMap::area},
                                                     {"ld_radial", DiskMap::ld_radial},
                                                     {"radial", DiskMap::radial},
-                                                    {"parallel", DiskMap::parallel}};
+                                                    {"parallel", DiskMap::parallel},
+                                                    {"radial_carlson", DiskMap::radial_carlson},
+                                                    {"parallel_carlson", DiskMap::parallel_carlson}};
 
 /// Arrays are made once for each size and shared by all cases, so that all of them see the same memory.
 Arrays& arrays(const Case& c) {

@@ -69,7 +69,7 @@ struct MapKernels {
   QueryKernel<Light> invert;
 };
 
-inline constexpr std::size_t disk_map_count = 4;
+inline constexpr std::size_t disk_map_count = 6;
 
 /// One call of an elliptic integral: the arrays of its arguments, in the order of the call.
 struct CarlsonJob {

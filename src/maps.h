@@ -3,7 +3,9 @@
 
 #include "area_map.h"
 #include "eta_table.h"
+#include "parallel_carlson_map.h"
 #include "parallel_map.h"
+#include "radial_carlson_map.h"
 #include "radial_map.h"
 
 namespace hatbox::HATBOX_ISA {
@@ -17,6 +19,10 @@ template <class V>
 using DiskRadial = RadialMap<DiskCone<V>, EtaSeries<V>, PolarChart>;
 template <class V>
 using DiskParallel = ParallelMap<DiskCone<V>>;
+template <class V>
+using DiskRadialCarlson = RadialCarlsonMap<V>;
+template <class V>
+using DiskParallelCarlson = ParallelCarlsonMap<V>;
 template <class V>
 using DiskTableLdRadial = RadialMap<DiskCone<V>, EtaTable<V>, ConcentricChart>;
 template <class V>

@@ -145,7 +145,8 @@ class DiskUniformitySlow : public DiskTest {
 };
 
 TEST_P(DiskUniformitySlow, DensityTimesSolidAngleIsOne) {
-  for (const DiskMap map : {DiskMap::ld_radial, DiskMap::radial, DiskMap::parallel}) {
+  for (const DiskMap map :
+       {DiskMap::ld_radial, DiskMap::radial, DiskMap::parallel, DiskMap::radial_carlson, DiskMap::parallel_carlson}) {
     constexpr std::size_t sides[] = {1, 16};  // one sample a point, and many that share the set-up
     for (const std::size_t side : sides) {
       const std::size_t n = side == 1 ? 20000 : 4000;

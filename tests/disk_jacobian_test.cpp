@@ -57,6 +57,12 @@ TEST_P(DiskJacobianSlow, Parallel) {
   expect_honest(jacobian_errors<in_double::DiskParallel>(GetParam(), step_off_middle, 64));
 }
 TEST_P(DiskJacobianSlow, Radial) { expect_honest(jacobian_errors<in_double::DiskRadial>(GetParam())); }
+TEST_P(DiskJacobianSlow, RadialCarlson) {
+  expect_honest(jacobian_errors<in_double::DiskRadialCarlson>(GetParam(), jacobian_step, 64));
+}
+TEST_P(DiskJacobianSlow, ParallelCarlson) {
+  expect_honest(jacobian_errors<in_double::DiskParallelCarlson>(GetParam(), step_off_middle, 64));
+}
 
 INSTANTIATE_TEST_SUITE_P(Pose, DiskJacobianSlow, testing::Values(Pose::canonical, Pose::general),
                          [](const auto& pose) { return std::string(name(pose.param)); });

@@ -16,6 +16,8 @@ enum class DiskMap {
   ld_radial,  ///< uniform in solid angle, concentric: low distortion, keeps stratification (Guillén 2017, §3.3)
   radial,     ///< uniform in solid angle, polar: u turns about the centre, v goes from the centre to the rim (ibid.)
   parallel,   ///< uniform in solid angle, in slices: u goes across the minor axis, v along the slice (ibid., §3.2)
+  radial_carlson,    ///< as radial, by Carlson's elliptic integrals and Newton's method as in the paper: a baseline
+  parallel_carlson,  ///< as parallel, in the same way
 };
 
 // All calls are thread-safe and allocate nothing. They throw std::invalid_argument, before anything is written, if
@@ -31,7 +33,9 @@ enum class DiskMap {
 ///
 /// `out.pdf` is the density of the map as it was computed, so estimates are unbiased whatever the rounding. For
 /// ld_radial and radial it is 1/Ω within 1e-4 at 99.9 % of points with x, y within ±3 radii and height 0.05 to 3.05,
-/// within 1e-6 from 10 radii on, and within 2e-2 at 99 % of points hugging the light (height 1e-5 to 1e-1). Directions
+/// within 1e-6 from 10 radii on, and within 2e-2 at 99 % of points hugging the light (height 1e-5 to 1e-1); for
+/// radial_carlson and parallel_carlson within 2e-6 at all of these, plus what the rounding of the inputs makes of Ω.
+/// Directions
 /// are right to 4e-6 rad and of unit length to 1e-6; places are on the disk to 1e-6.
 ///
 /// Source: Guillén et al. 2017, eq. 3-5 and 16-23, in the form that src/disk_cone.h and src/eta_series.h explain.

@@ -101,13 +101,13 @@ DiskSample EtaDisk::sample(DiskMap map, float u, float v) const {
     const Local direction = view_.direction_to_place(p.r * std::cos(p.phi), p.r * std::sin(p.phi));
     return view_.sample(direction, view_.area_pdf(direction));
   }
-  if (map == DiskMap::parallel) {
+  if (is_parallel(map)) {
     int iterations = 0;
     DiskSample result = view_.sample(from_slice(cu, cv, iterations), 1 / solid_angle());
     result.iterations = iterations;
     return result;
   }
-  const PolarArea place = map == DiskMap::radial ? radial(cu, cv) : low_distortion(cu, cv);
+  const PolarArea place = map == DiskMap::ld_radial ? low_distortion(cu, cv) : radial(cu, cv);
   return at({place.theta, place.t});
 }
 

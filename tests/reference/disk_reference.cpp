@@ -116,7 +116,7 @@ DiskSample PaperDisk::sample(DiskMap map, float u, float v) const {
   }
   int iterations = 0;
   const Vector<double> point =
-      map == DiskMap::parallel ? parallel_point(cu, cv, iterations) : radial_point(map, cu, cv, iterations);
+      is_parallel(map) ? parallel_point(cu, cv, iterations) : radial_point(map, cu, cv, iterations);
   DiskSample result = view_.sample(from_ellipse(point.x, point.y, point.z), 1 / solid_angle());
   result.iterations = iterations;
   return result;
@@ -127,7 +127,7 @@ constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();  // of t
 /// Equation 21. The paper's own start (φ proportional to the target) needs many more steps for narrow ellipses than the
 /// parametric angle does.
 Vector<double> PaperDisk::radial_point(DiskMap map, double u, double v, int& iterations) const {
-  const PolarArea target = map == DiskMap::radial ? radial(u, v) : low_distortion(u, v);
+  const PolarArea target = map == DiskMap::ld_radial ? low_distortion(u, v) : radial(u, v);
   const Folded quadrant = fold(target.theta);
   const double angle = quadrant.fraction * half_pi;
   const double phi = newton([&](double x) { return quadrant_area(x) - quadrant.fraction * whole_; },

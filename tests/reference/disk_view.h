@@ -13,6 +13,9 @@
 
 namespace hatbox::reference {
 
+/// Whether u picks a slice and v the place along it; the other solid-angle maps go from the centre to the rim.
+inline bool is_parallel(DiskMap map) { return map == DiskMap::parallel || map == DiskMap::parallel_carlson; }
+
 /// What a reference says of one sample.
 struct DiskSample {
   Vector<double> direction;
