@@ -1,20 +1,49 @@
-// DiskMap::area: uniform over the disk's area by the concentric map (Shirley and Chiu 1997). Nothing else is cheaper,
+// Uniform over the area of a disk or an ellipse by the concentric map (Shirley and Chiu 1997). Nothing else is cheaper,
 // so this is the yardstick of the other maps; it is written to cost as little as it can.
 #pragma once
 
-#include "disk_cone.h"
+#include "ellipse_cone.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {
 
-template <class V>
+// What a place's coordinates span, what gives them back, and the area, in the units of `inverse_radius`.
+template <class T>
+inline const T (&span(const DiskConstantsOf<T>& light, int i))[3] {
+  return light.axes[i];
+}
+template <class T>
+inline const T (&inverse_span(const DiskConstantsOf<T>& light, int i))[3] {
+  return light.axes[i];
+}
+template <class T>
+inline T area_of(const DiskConstantsOf<T>&) {
+  return static_cast<T>(pi);
+}
+template <class T>
+inline const T (&span(const EllipseConstantsOf<T>& light, int i))[3] {
+  return light.spans[i];
+}
+template <class T>
+inline const T (&inverse_span(const EllipseConstantsOf<T>& light, int i))[3] {
+  return light.inverse_spans[i];
+}
+template <class T>
+inline T area_of(const EllipseConstantsOf<T>& light) {
+  return light.area;
+}
+
+template <class Cone>
 class AreaMap {
  public:
-  HATBOX_INLINE AreaMap(const DiskLight<V>& light, V x, V y, V z) : light_(light), point_{x, y, z} {
+  using V = typename Cone::Vector;
+  using Light = typename Cone::Light;
+
+  HATBOX_INLINE AreaMap(const Light& light, V x, V y, V z) : light_(light), point_{x, y, z} {
     for (int i = 0; i < 3; ++i) l_[i] = (V(light.center[i]) - point_[i]) * V(light.inverse_radius);
     height_ = along(light.axes[2], l_);
-    // The area of the unit disk is π; its projection on a sphere of distance 1 is π|h|/distance³.
-    density_ = V(1) / (constant<V>(pi) * abs(height_));
+    // The projection of an area A on a sphere of distance 1 is A|h|/distance³.
+    density_ = V(1) / (V(area_of(light)) * abs(height_));
   }
 
   HATBOX_INLINE LightSample<V> sample(V u, V v) const {
@@ -53,12 +82,12 @@ class AreaMap {
 
  private:
   struct Ray {
-    V l[3];  // from the shading point to the place, in radii
+    V l[3];  // from the shading point to the place, in units of the light
     V distance, inverse_distance;
     V pdf;
   };
   struct Hit {
-    V distance;  // in radii
+    V distance;  // in units of the light
     Place<V> place;
     Mask<V> inside;
   };
@@ -66,7 +95,7 @@ class AreaMap {
   Ray to(const Place<V>& place) const {
     Ray ray;
     for (int i = 0; i < 3; ++i) {
-      ray.l[i] = fma(V(light_.axes[0][i]), place.s, fma(V(light_.axes[1][i]), place.t, l_[i]));
+      ray.l[i] = fma(V(span(light_, 0)[i]), place.s, fma(V(span(light_, 1)[i]), place.t, l_[i]));
     }
     const V distance2 = fma(ray.l[0], ray.l[0], fma(ray.l[1], ray.l[1], ray.l[2] * ray.l[2]));
     ray.distance = sqrt(distance2);
@@ -76,21 +105,21 @@ class AreaMap {
   }
 
   Hit intersect(const V (&direction)[3]) const {
-    const DiskCone<V> cone(light_, point_[0], point_[1], point_[2]);
+    const Cone cone(light_, point_[0], point_[1], point_[2]);
     Hit hit;
     hit.distance = height_ / along(light_.axes[2], direction);
     V coordinate[2];
     for (int i = 0; i < 2; ++i) {
-      coordinate[i] = fma(hit.distance, along(light_.axes[i], direction), -along(light_.axes[i], l_));
+      coordinate[i] = fma(hit.distance, along(inverse_span(light_, i), direction), -along(inverse_span(light_, i), l_));
     }
     hit.place = {coordinate[0], coordinate[1]};
     hit.inside = cone.hit(direction).inside && (hit.distance > V(0)) && is_finite(hit.distance);
     return hit;
   }
 
-  const DiskLight<V>& light_;
+  const Light& light_;
   V point_[3];
-  V l_[3];     // from the shading point to the disk's centre, in radii
+  V l_[3];     // from the shading point to the light's centre, in its units
   V height_;   // signed, along the normal
   V density_;  // of a direction, less the factor distance³
 };

@@ -26,6 +26,8 @@ using DiskLight = DiskConstantsOf<Scalar<V>>;
 /// Of a disk: |h| > 0, x̂_e = n̂ × t̂, ŷ_e away from the shading point's foot.
 template <class V>
 struct DiskCone : SphericalEllipse<V> {
+  using Light = DiskLight<V>;
+
   HATBOX_INLINE DiskCone(const DiskLight<V>& disk, V x, V y, V z);
 
   /// Direction, distance, cosine and place of a point of the ellipse.
@@ -49,7 +51,7 @@ struct DiskCone : SphericalEllipse<V> {
   V height_over_m_n;
 };
 
-/// From a point of the world to the disk's centre, in the disk's axes and in radii.
+/// From a point of the world to the light's centre, in its axes and in its units.
 template <class V>
 struct DiskLocal {
   V u, v, n;
@@ -57,8 +59,8 @@ struct DiskLocal {
 
 // A rounded difference, u or v is the exact one of a point or a light an ulp aside, which is all that is known of them.
 // The height is not that forgiving: next to the disk's plane the products cancel, and are compensated.
-template <class V>
-HATBOX_INLINE inline DiskLocal<V> to_disk(const DiskLight<V>& light, V x, V y, V z) {
+template <class V, class Light>
+HATBOX_INLINE inline DiskLocal<V> to_disk(const Light& light, V x, V y, V z) {
   const V l[3] = {V(light.center[0]) - x, V(light.center[1]) - y, V(light.center[2]) - z};
   const auto rounded = [&](const Scalar<V>(&axis)[3]) {
     return fma(l[0], V(axis[0]), fma(l[1], V(axis[1]), l[2] * V(axis[2])));

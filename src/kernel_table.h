@@ -27,6 +27,24 @@ struct TabulatedDiskOf : DiskConstantsOf<T> {
 };
 using TabulatedDisk = TabulatedDiskOf<float>;
 
+/// An ellipse made ready for the kernels (ellipse_constants.h). Lengths are in units of its longer semi-axis.
+template <class T>
+struct EllipseConstantsOf {
+  T center[3];      // world units
+  T axes_hi[3][3];  // rows along the longer and the shorter semi-axis, unit vector / its length, and the unit normal /
+  T axes_lo[3][3];  // the longer's length, rounded to T and what the rounding left
+  T axes[3][3];     // the unit vectors, for the way back to world space
+  T spans[2][3];    // semi_axis_u and semi_axis_v, for places
+  T inverse_spans[2][3];           // the same divided by their squared lengths
+  T ratio, ratio2, inverse_ratio;  // r, the shorter semi-axis over the longer; r², 1/r
+  T flattening, flattening2;       // 1 − r² and its square
+  T area;
+  T radius;  // the longer semi-axis, world units
+  T inverse_radius;
+  bool swapped;  // semi_axis_v is the longer one
+};
+using EllipseConstants = EllipseConstantsOf<float>;
+
 /// One call of `sample`: n points, k samples each, outputs that may be null. Light is what its kernels know of the
 /// light, such as DiskConstants.
 template <class Light>
@@ -70,6 +88,7 @@ struct MapKernels {
 };
 
 inline constexpr std::size_t disk_map_count = 6;
+inline constexpr std::size_t ellipse_map_count = 3;
 
 /// One call of an elliptic integral: the arrays of its arguments, in the order of the call.
 struct CarlsonJob {
@@ -90,6 +109,8 @@ struct KernelTable {
   MapKernels<DiskConstants> disk[disk_map_count];  // in the order of DiskMap
   MapKernels<TabulatedDisk> disk_table[2];         // ld_radial, radial
   QueryKernel<DiskConstants> disk_solid_angle;
+  MapKernels<EllipseConstants> ellipse[ellipse_map_count];  // in the order of EllipseMap
+  QueryKernel<EllipseConstants> ellipse_solid_angle;
   CarlsonKernels carlson;
   // residual[i] = x[i]·y[i] − round(x[i]·y[i]): how the tests see that `fma` is fused. n is a multiple of lanes.
   void (*product_residual)(const float* x, const float* y, float* residual, std::size_t n);

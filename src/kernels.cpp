@@ -20,6 +20,9 @@ constexpr KernelTable table = {
              kernels_of<DiskRadialCarlson, DiskConstants>, kernels_of<DiskParallelCarlson, DiskConstants>},
     .disk_table = {kernels_of<DiskTableLdRadial, TabulatedDisk>, kernels_of<DiskTableRadial, TabulatedDisk>},
     .disk_solid_angle = solid_angle<DiskCone, DiskConstants>,
+    .ellipse = {kernels_of<EllipseArea, EllipseConstants>, kernels_of<EllipseLdRadial, EllipseConstants>,
+                kernels_of<EllipseRadial, EllipseConstants>},
+    .ellipse_solid_angle = solid_angle<EllipseCone, EllipseConstants>,
     .carlson = {rf_kernel, rc_kernel, rd_kernel, rj_kernel, ellint_f_kernel, ellint_e_kernel, ellint_pi_kernel},
     .product_residual = product_residual,
 };

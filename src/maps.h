@@ -2,6 +2,7 @@
 #pragma once
 
 #include "area_map.h"
+#include "ellipse_cone.h"
 #include "eta_table.h"
 #include "parallel_carlson_map.h"
 #include "parallel_map.h"
@@ -12,7 +13,7 @@ namespace hatbox::HATBOX_ISA {
 namespace {
 
 template <class V>
-using DiskArea = AreaMap<V>;
+using DiskArea = AreaMap<DiskCone<V>>;
 template <class V>
 using DiskLdRadial = RadialMap<DiskCone<V>, EtaSeries<V>, ConcentricChart>;
 template <class V>
@@ -27,6 +28,13 @@ template <class V>
 using DiskTableLdRadial = RadialMap<DiskCone<V>, EtaTable<V>, ConcentricChart>;
 template <class V>
 using DiskTableRadial = RadialMap<DiskCone<V>, EtaTable<V>, PolarChart>;
+
+template <class V>
+using EllipseArea = AreaMap<EllipseCone<V>>;
+template <class V>
+using EllipseLdRadial = RadialMap<EllipseCone<V>, EtaSeries<V>, ConcentricChart>;
+template <class V>
+using EllipseRadial = RadialMap<EllipseCone<V>, EtaSeries<V>, PolarChart>;
 
 }  // namespace
 }  // namespace hatbox::HATBOX_ISA

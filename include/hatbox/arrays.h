@@ -21,7 +21,7 @@ struct Directions {
   std::span<const float> x, y, z;
 };
 
-/// k·n places on the light; for a disk centre + s·axis_u + t·axis_v (see `axes`), so s² + t² <= 1.
+/// k·n places on the light; for a disk (see `axes`) and an ellipse centre + s·axis_u + t·axis_v, so s² + t² <= 1.
 struct Places {
   std::span<const float> s, t;
 };

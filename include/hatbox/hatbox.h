@@ -5,5 +5,6 @@
 #include <hatbox/carlson.h>
 #include <hatbox/disk.h>
 #include <hatbox/disk_table.h>
+#include <hatbox/ellipse.h>
 #include <hatbox/isa.h>
 #include <hatbox/lights.h>

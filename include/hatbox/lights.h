@@ -16,4 +16,14 @@ struct Disk {
   float radius;  ///< world units
 };
 
+/// A flat elliptical disk: the places center + s·semi_axis_u + t·semi_axis_v with s² + t² <= 1. Either axis may be the
+/// longer one. Its normal points along semi_axis_u × semi_axis_v; it emits to both sides.
+///
+/// Valid if all numbers are finite, the axes are perpendicular, |u·v| <= 1e-4 |u||v|, and neither is zero, longer than
+/// the largest float or shorter than 1e-6 of the other.
+struct Ellipse {
+  Vec3 center;                    ///< world space
+  Vec3 semi_axis_u, semi_axis_v;  ///< world units
+};
+
 }  // namespace hatbox

@@ -1,0 +1,108 @@
+// The public calls for ellipses.
+#include "calls.h"
+#include "dispatch.h"
+#include "ellipse_constants.h"
+
+#include <hatbox/ellipse.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace hatbox {
+namespace {
+
+bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+std::string to_string(const Vec3& v) {
+  return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ")";
+}
+
+// In double no length or product of floats over- or underflows.
+double dot(const Vec3& a, const Vec3& b) {
+  return double{a.x} * double{b.x} + double{a.y} * double{b.y} + double{a.z} * double{b.z};
+}
+
+/// The constants of a light that passes `check`; throws otherwise.
+EllipseConstants ready(const Ellipse& light) {
+  const std::string_view problem = check(light);
+  if (problem.empty()) return ellipse_constants<float>(light);
+  throw std::invalid_argument(std::string(problem) + "; center " + to_string(light.center) + ", semi_axis_u " +
+                              to_string(light.semi_axis_u) + ", semi_axis_v " + to_string(light.semi_axis_v));
+}
+
+const MapKernels<EllipseConstants>& kernels_of(EllipseMap map) {
+  const auto index = static_cast<std::size_t>(map);
+  if (index >= ellipse_map_count) throw std::invalid_argument("map: there is no EllipseMap " + std::to_string(index));
+  return active_kernels().ellipse[index];
+}
+
+}  // namespace
+
+std::string_view check(const Ellipse& light) noexcept {
+  constexpr double longest = std::numeric_limits<float>::max(), least_ratio = 1e-6, largest_cosine = 1e-4;
+  if (!is_finite(light.center)) return "light.center is not finite";
+  if (!is_finite(light.semi_axis_u)) return "light.semi_axis_u is not finite";
+  if (!is_finite(light.semi_axis_v)) return "light.semi_axis_v is not finite";
+  const double u = std::sqrt(dot(light.semi_axis_u, light.semi_axis_u));
+  const double v = std::sqrt(dot(light.semi_axis_v, light.semi_axis_v));
+  if (u == 0) return "light.semi_axis_u is zero";
+  if (v == 0) return "light.semi_axis_v is zero";
+  if (u > longest) return "light.semi_axis_u is longer than the largest float";
+  if (v > longest) return "light.semi_axis_v is longer than the largest float";
+  if (u < least_ratio * v) return "light.semi_axis_u is shorter than 1e-6 of light.semi_axis_v";
+  if (v < least_ratio * u) return "light.semi_axis_v is shorter than 1e-6 of light.semi_axis_u";
+  if (std::abs(dot(light.semi_axis_u, light.semi_axis_v)) > largest_cosine * u * v) {
+    return "light.semi_axis_v is not perpendicular to light.semi_axis_u";
+  }
+  return {};
+}
+
+void sample(const Ellipse& light, EllipseMap map, Points points, Variates variates, Samples out) {
+  call_sample({}, kernels_of(map), ready(light), points, variates, out);
+}
+
+void pdf(const Ellipse& light, EllipseMap map, Points points, Directions directions, std::span<float> out) {
+  call_pdf({}, kernels_of(map), ready(light), points, directions, out);
+}
+
+void pdf(const Ellipse& light, EllipseMap map, Points points, Places places, std::span<float> out) {
+  call_pdf({}, kernels_of(map), ready(light), points, places, out);
+}
+
+void invert(const Ellipse& light, EllipseMap map, Points points, Directions directions, std::span<float> u,
+            std::span<float> v) {
+  call_invert({}, kernels_of(map), ready(light), points, directions, u, v);
+}
+
+void solid_angle(const Ellipse& light, Points points, std::span<float> out) {
+  call_solid_angle({}, active_kernels().ellipse_solid_angle, ready(light), points, out);
+}
+
+namespace parallel {
+
+void sample(const Ellipse& light, EllipseMap map, Points points, Variates variates, Samples out, std::size_t grain) {
+  call_sample(parallel_with(grain), kernels_of(map), ready(light), points, variates, out);
+}
+
+void pdf(const Ellipse& light, EllipseMap map, Points points, Directions directions, std::span<float> out,
+         std::size_t grain) {
+  call_pdf(parallel_with(grain), kernels_of(map), ready(light), points, directions, out);
+}
+
+void pdf(const Ellipse& light, EllipseMap map, Points points, Places places, std::span<float> out, std::size_t grain) {
+  call_pdf(parallel_with(grain), kernels_of(map), ready(light), points, places, out);
+}
+
+void invert(const Ellipse& light, EllipseMap map, Points points, Directions directions, std::span<float> u,
+            std::span<float> v, std::size_t grain) {
+  call_invert(parallel_with(grain), kernels_of(map), ready(light), points, directions, u, v);
+}
+
+void solid_angle(const Ellipse& light, Points points, std::span<float> out, std::size_t grain) {
+  call_solid_angle(parallel_with(grain), active_kernels().ellipse_solid_angle, ready(light), points, out);
+}
+
+}  // namespace parallel
+}  // namespace hatbox

@@ -1,0 +1,106 @@
+#include "ellipse_constants.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace hatbox {
+namespace {
+
+struct Double3 {
+  double x, y, z;
+};
+
+Double3 in_double(const Vec3& v) { return {v.x, v.y, v.z}; }
+double dot(const Double3& a, const Double3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Double3 scaled(double factor, const Double3& v) { return {factor * v.x, factor * v.y, factor * v.z}; }
+Double3 cross(const Double3& a, const Double3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// A semi-axis: a unit vector and its length.
+struct SemiAxis {
+  Double3 unit;
+  double length;
+};
+
+SemiAxis semi_axis(const Double3& v) {
+  const double length = std::sqrt(dot(v, v));
+  return {scaled(1 / length, v), length};
+}
+
+/// The semi-axes of a light, by length, and its normal.
+struct Frame {
+  SemiAxis longer, shorter;
+  Double3 normal;
+  bool swapped;  // semi_axis_v is the longer one
+};
+
+Frame frame_of(const Ellipse& light) {
+  SemiAxis u = semi_axis(in_double(light.semi_axis_u)), v = semi_axis(in_double(light.semi_axis_v));
+  // Rounded coordinates make the axes of a circle differ by an ulp or two. Taken for an ellipse's they would turn the
+  // maps by any angle.
+  constexpr double rounding = 0x1p-22;
+  if (std::abs(u.length - v.length) <= rounding * u.length) v.length = u.length;
+  const Double3 normal = semi_axis(cross(u.unit, v.unit)).unit;
+  const bool swapped = v.length > u.length;
+  if (swapped) std::swap(u, v);
+  // Only the shorter one is turned: the longer one's end would move by more than the shorter's length.
+  v.unit = cross(normal, scaled(swapped ? -1 : 1, u.unit));
+  return {u, v, normal, swapped};
+}
+
+template <class T>
+void set_row(EllipseConstantsOf<T>& constants, int row, const Double3& unit, double inverse_length) {
+  const double axis[3] = {unit.x, unit.y, unit.z};
+  for (int i = 0; i < 3; ++i) {
+    const double divided = axis[i] * inverse_length;
+    constants.axes[row][i] = static_cast<T>(axis[i]);
+    constants.axes_hi[row][i] = static_cast<T>(divided);
+    constants.axes_lo[row][i] = static_cast<T>(divided - double{constants.axes_hi[row][i]});
+  }
+}
+
+/// `size` in units of the longer semi-axis.
+template <class T>
+void set_span(EllipseConstantsOf<T>& constants, int index, const Double3& unit, double size) {
+  const double axis[3] = {unit.x, unit.y, unit.z};
+  for (int i = 0; i < 3; ++i) {
+    constants.spans[index][i] = static_cast<T>(size * axis[i]);
+    constants.inverse_spans[index][i] = static_cast<T>(axis[i] / size);
+  }
+}
+
+}  // namespace
+
+template <class T>
+EllipseConstantsOf<T> ellipse_constants(const Ellipse& light) {
+  const Frame frame = frame_of(light);
+  const double inverse_radius = 1 / frame.longer.length, ratio = frame.shorter.length * inverse_radius;
+
+  EllipseConstantsOf<T> constants = {};
+  constants.center[0] = light.center.x;
+  constants.center[1] = light.center.y;
+  constants.center[2] = light.center.z;
+  set_row(constants, 0, frame.longer.unit, inverse_radius);
+  set_row(constants, 1, frame.shorter.unit, 1 / frame.shorter.length);
+  set_row(constants, 2, frame.normal, inverse_radius);
+  set_span(constants, frame.swapped ? 1 : 0, frame.longer.unit, 1);
+  set_span(constants, frame.swapped ? 0 : 1, frame.shorter.unit, ratio);
+  constants.ratio = static_cast<T>(ratio);
+  constants.ratio2 = static_cast<T>(ratio * ratio);
+  constants.inverse_ratio = static_cast<T>(1 / ratio);
+  const double flattening = (1 - ratio) * (1 + ratio);
+  constants.flattening = static_cast<T>(flattening);
+  constants.flattening2 = static_cast<T>(flattening * flattening);
+  constants.area = static_cast<T>(std::numbers::pi * ratio);
+  constants.radius = static_cast<T>(frame.longer.length);
+  constants.inverse_radius = static_cast<T>(inverse_radius);
+  constants.swapped = frame.swapped;
+  return constants;
+}
+
+template EllipseConstantsOf<float> ellipse_constants(const Ellipse& light);
+template EllipseConstantsOf<double> ellipse_constants(const Ellipse& light);
+
+}  // namespace hatbox
