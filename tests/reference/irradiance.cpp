@@ -13,15 +13,10 @@ using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
 constexpr unsigned depth = 7;  // the relative tolerance cannot be met far away, where the contour's parts cancel
 constexpr double tolerance = 1e-13;
 
-}  // namespace
-
-/// E = ½ |∮ n·(r × dr) / r²| (Lambert 1760). Along a chord in the plane of the horizon the integrand is the angle
-/// itself.
-double irradiance(const Disk& light, const Vec3& point, const Vector<double>& patch_normal) {
-  const DiskFrame<double> frame(light);
-  const Vector<double> u = frame.radius * frame.axis_u;
-  const Vector<double> v = frame.radius * frame.axis_v;
-  const Vector<double> to_center = frame.center - convert<double>(point);
+/// E = ½ |∮ n·(r × dr) / r²| (Lambert 1760), for the rim to_center + cos φ u + sin φ v. Along a chord in the plane of
+/// the horizon the integrand is the angle itself.
+double irradiance(const Vector<double>& to_center, const Vector<double>& u, const Vector<double>& v,
+                  const Vector<double>& patch_normal) {
   const auto rim = [&](double phi) { return to_center + std::cos(phi) * u + std::sin(phi) * v; };
   const auto integrand = [&](double phi) {
     const Vector<double> tangent = std::cos(phi) * v - std::sin(phi) * u;
@@ -41,6 +36,19 @@ double irradiance(const Disk& light, const Vec3& point, const Vector<double>& pa
   const Vector<double> from = rim(middle + half), to = rim(middle - half);
   const double chord = std::copysign(angle_between(from, to), dot(patch_normal, cross(from, to)));
   return std::abs(arc + chord) / 2;
+}
+
+}  // namespace
+
+double irradiance(const Disk& light, const Vec3& point, const Vector<double>& patch_normal) {
+  const DiskFrame<double> frame(light);
+  return irradiance(frame.center - convert<double>(point), frame.radius * frame.axis_u, frame.radius * frame.axis_v,
+                    patch_normal);
+}
+
+double irradiance(const Ellipse& light, const Vec3& point, const Vector<double>& patch_normal) {
+  return irradiance(convert<double>(light.center) - convert<double>(point), convert<double>(light.semi_axis_u),
+                    convert<double>(light.semi_axis_v), patch_normal);
 }
 
 }  // namespace hatbox::reference

@@ -1,6 +1,7 @@
 #include "support/all_samplers.h"
 
 #include "support/disk_maps.h"
+#include "support/ellipses.h"
 
 namespace hatbox::test {
 namespace {
@@ -27,6 +28,12 @@ std::vector<Sampler> all_samplers(Pose pose, float scale) {
   for (const DiskTable& table : tables()) {
     const std::string map = std::string("disk_table_") + name(table.base());
     result.emplace_back(map + "_" + std::to_string(table.resolution()), disk, table);
+  }
+  for (const double aspect : {0.5, 10.0, 0.01}) {
+    const Ellipse ellipse = test::scaled(ellipse_in(pose, aspect), scale);
+    for (const EllipseMap map : all_ellipse_maps) {
+      result.emplace_back("ellipse_" + std::to_string(aspect) + "_" + name(map), ellipse, map);
+    }
   }
   return result;
 }

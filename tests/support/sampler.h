@@ -18,6 +18,7 @@ using Grain = std::optional<std::size_t>;
 
 /// How far a place lies outside of its light, in the place's own units; negative inside.
 inline double outside(const Disk&, double s, double t) { return std::hypot(s, t) - 1; }
+inline double outside(const Ellipse&, double s, double t) { return std::hypot(s, t) - 1; }
 
 struct Sampler {
   template <class Light, class Map>
