@@ -127,7 +127,7 @@ class RadialCarlsonMap {
   /// Into the quadrant, if the step led out of it.
   HATBOX_INLINE static SinCos<V> moved(const SinCos<V>& theta, V shift) {
     const SinCos<V> eta = rotate(theta, sincos_small(shift));
-    return {max(eta.sin, V(0)), max(eta.cos, V(0))};
+    return {select(eta.cos < V(0), V(1), max(eta.sin, V(0))), select(eta.sin < V(0), V(1), max(eta.cos, V(0)))};
   }
 
   DiskCone<V> cone_;

@@ -176,7 +176,7 @@ TEST_P(CarlsonContract, PolesAreInfinite) {
 
 /// Arguments no bound is stated for still come to an end, with a number that can be one.
 TEST_P(CarlsonContract, ExtremesEndAndArePositive) {
-  const std::array<float, 9> extremes{0, 1e-45f, 1e-40f, 1.2e-38f, 1e-20f, 1, 1e20f, 1e38f, largest};
+  const std::array<float, 9> extremes{0, 1e-44f, 1e-40f, 1.2e-38f, 1e-20f, 1, 1e20f, 1e38f, largest};
   Columns columns;
   for (const float x : extremes) {
     for (const float y : extremes) {

@@ -57,11 +57,18 @@ TEST_P(DiskJacobianSlow, Parallel) {
   expect_honest(jacobian_errors<in_double::DiskParallel>(GetParam(), step_off_middle, 64));
 }
 TEST_P(DiskJacobianSlow, Radial) { expect_honest(jacobian_errors<in_double::DiskRadial>(GetParam())); }
+/// Their density is 1/Ω, whatever Newton's two steps leave over.
+void expect_nearly_honest(const std::vector<double>& errors) {
+  report_quantiles("jacobian", errors);
+  EXPECT_LE(quantile(errors, 0.999), 1e-5);
+  EXPECT_LE(quantile(errors, 1), 2e-3);
+}
+
 TEST_P(DiskJacobianSlow, RadialCarlson) {
-  expect_honest(jacobian_errors<in_double::DiskRadialCarlson>(GetParam(), jacobian_step, 64));
+  expect_nearly_honest(jacobian_errors<in_double::DiskRadialCarlson>(GetParam(), jacobian_step, 64));
 }
 TEST_P(DiskJacobianSlow, ParallelCarlson) {
-  expect_honest(jacobian_errors<in_double::DiskParallelCarlson>(GetParam(), step_off_middle, 64));
+  expect_nearly_honest(jacobian_errors<in_double::DiskParallelCarlson>(GetParam(), step_off_middle, 64));
 }
 
 INSTANTIATE_TEST_SUITE_P(Pose, DiskJacobianSlow, testing::Values(Pose::canonical, Pose::general),
