@@ -17,8 +17,13 @@ function(hatbox_localize isa object)
   set_source_files_properties(${object} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
 endfunction()
 
+set(HATBOX_ISAS "" CACHE STRING "The instruction sets to build, of those the platform has; scalar always (empty: all)")
+
 function(hatbox_add_isa isa)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "ARCH" "FLAGS;CPU")
+  if(HATBOX_ISAS AND NOT isa STREQUAL scalar AND NOT isa IN_LIST HATBOX_ISAS)
+    return()
+  endif()
   set(target hatbox_kernels_${isa})
   add_library(${target} OBJECT ${PROJECT_SOURCE_DIR}/src/kernels.cpp)
   hatbox_compile_options(${target})

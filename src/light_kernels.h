@@ -43,7 +43,7 @@ void sample(const SampleJob<Light>& shared_job, std::size_t begin, std::size_t e
 template <template <class> class Map, class Light, class Answer>
 HATBOX_INLINE inline void for_each_query(const QueryJob<Light>& job, std::size_t begin, std::size_t end,
                                          const Answer& answer) {
-  for_each_packet(begin, end, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
+  for_each_narrow_packet(begin, end, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
     using V = VectorOf<decltype(memory)>;
     const Map<V> map(job.light, memory.load(job.point[0] + i), memory.load(job.point[1] + i),
                      memory.load(job.point[2] + i));
@@ -84,7 +84,7 @@ void invert(const QueryJob<Light>& job, std::size_t begin, std::size_t end) {
 
 template <template <class> class Cone, class Light>
 void solid_angle(const QueryJob<Light>& job, std::size_t begin, std::size_t end) {
-  for_each_packet(begin, end, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
+  for_each_narrow_packet(begin, end, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
     using V = VectorOf<decltype(memory)>;
     const Cone<V> cone(job.light, memory.load(job.point[0] + i), memory.load(job.point[1] + i),
                        memory.load(job.point[2] + i));

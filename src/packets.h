@@ -10,7 +10,7 @@ namespace {
 template <class V>
 inline constexpr std::size_t lanes = Lanes<V>::count;
 
-/// Where a packet lies in the arrays: whole, or the first `count` lanes of it.
+/// Where a packet lies in the arrays: all of it, or its first `count` lanes.
 template <class V>
 struct WholePacket {
   using Vector = V;
@@ -18,15 +18,18 @@ struct WholePacket {
   void store(float* to, V value) const { hatbox::HATBOX_ISA::store(to, value); }
 };
 
+/// Whole or partial, as it turns out: one text for both, where speed does not matter as much as the size of the code.
 template <class V>
-struct PartialPacket {
+struct AnyPacket {
   using Vector = V;
   V load(const float* from) const {
+    if (count == lanes<V>) return hatbox::HATBOX_ISA::load(from, V());
     float padded[lanes<V>] = {};
     std::memcpy(padded, from, count * sizeof(float));
     return hatbox::HATBOX_ISA::load(padded, V());
   }
   void store(float* to, V value) const {
+    if (count == lanes<V>) return hatbox::HATBOX_ISA::store(to, value);
     float padded[lanes<V>];
     hatbox::HATBOX_ISA::store(padded, value);
     std::memcpy(to, padded, count * sizeof(float));
@@ -44,15 +47,21 @@ using WidePacket = Twin<Packet>;
 using WidePacket = Packet;
 #endif
 
-/// Calls body(packet, first point) for all packets of [begin, end).
+/// Calls body(packet, first point) for all packets of [begin, end), one kind of packet at a time. For queries.
+template <class Body>
+HATBOX_INLINE inline void for_each_narrow_packet(std::size_t begin, std::size_t end, const Body& body) {
+  for (std::size_t i = begin; i < end; i += lanes<Packet>) {
+    const std::size_t left = end - i;
+    body(AnyPacket<Packet>{left < lanes<Packet> ? left : lanes<Packet>}, i);
+  }
+}
+
+/// The same as fast as can be, for sampling: as many lanes at a time as there are registers for.
 template <class Body>
 HATBOX_INLINE inline void for_each_packet(std::size_t begin, std::size_t end, const Body& body) {
   std::size_t i = begin;
-  if constexpr (!std::is_same_v<WidePacket, Packet>) {
-    for (; end - i >= lanes<WidePacket>; i += lanes<WidePacket>) body(WholePacket<WidePacket>(), i);
-  }
-  for (; end - i >= lanes<Packet>; i += lanes<Packet>) body(WholePacket<Packet>(), i);
-  if (i < end) body(PartialPacket<Packet>{end - i}, i);
+  for (; end - i >= lanes<WidePacket>; i += lanes<WidePacket>) body(WholePacket<WidePacket>(), i);
+  if constexpr (lanes < WidePacket >> 1) for_each_narrow_packet(i, end, body);
 }
 
 }  // namespace
