@@ -14,8 +14,8 @@ namespace hatbox {
 // Here and nowhere else NaN comes out: of an element whose arguments are outside the domain, infinite or NaN.
 //
 // Errors are in ulp of the result, wherever that is a normal float; tests/carlson_accuracy_test.cpp holds them against
-// values of mpmath. Carlson's: for arguments from 1e-30 to 1e30, in any combination, and 0. The two
-// smallest floats count as 0.
+// values of mpmath. Carlson's: for arguments from 1e-30 to 1e30, in any combination, and 0. The two smallest
+// floats count as 0.
 
 /// R_F(x, y, z), x, y, z >= 0, at most one of them 0. Max error: 8 ulp.
 ///

@@ -32,11 +32,10 @@ enum class DiskMap {
 /// samples of a point share its set-up, so that many cost less than their number.
 ///
 /// `out.pdf` is the density of the map as it was computed, so estimates are unbiased whatever the rounding. For
-/// ld_radial and radial it is 1/Ω within 1e-4 at 99.9 % of points with x, y within ±3 radii and height 0.05 to 3.05,
-/// within 1e-6 from 10 radii on, and within 2e-2 at 99 % of points hugging the light (height 1e-5 to 1e-1); for
-/// radial_carlson and parallel_carlson within 2e-6 at all of these, plus what the rounding of the inputs makes of Ω.
-/// Directions
-/// are right to 4e-6 rad and of unit length to 1e-6; places are on the disk to 1e-6.
+/// ld_radial, radial and parallel it is 1/Ω within 1e-4 at 99.9 % of points with x, y within ±3 radii and height 0.05
+/// to 3.05, within 1e-6 from 10 radii on, and within 2e-2 at 99 % of points hugging the light (height 1e-5 to 1e-1);
+/// for radial_carlson and parallel_carlson within 2e-6 at all of these, plus what the rounding of the inputs makes of
+/// Ω. Directions are right to 4e-6 rad and of unit length to 1e-6; places are on the disk to 1e-6.
 ///
 /// Source: Guillén et al. 2017, eq. 3-5 and 16-23, in the form that src/disk_cone.h and src/eta_series.h explain.
 void sample(const Disk& light, DiskMap map, Points points, Variates variates, Samples out);
