@@ -149,7 +149,7 @@ TEST_P(DiskUniformitySlow, DensityTimesSolidAngleIsOne) {
        {DiskMap::ld_radial, DiskMap::radial, DiskMap::parallel, DiskMap::radial_carlson, DiskMap::parallel_carlson}) {
     constexpr std::size_t sides[] = {1, 16};  // one sample a point, and many that share the set-up
     for (const std::size_t side : sides) {
-      const std::size_t n = side == 1 ? 20000 : 4000;
+      const std::size_t n = side == 1 ? 20000 : 2000;
       const auto w1 = variations(Workload::w1, map, n, side);
       const auto w2 = variations(Workload::w2, map, n, side);
       const auto w3 = variations(Workload::w3, map, n, side);
