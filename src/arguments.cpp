@@ -1,5 +1,6 @@
 #include "arguments.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -19,6 +20,12 @@ BatchSize checked_batch(const Points& points, const char* name, std::size_t coun
 }
 
 }  // namespace
+
+bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+std::string to_string(const Vec3& v) {
+  return std::string("(") + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ")";
+}
 
 void check_size(const char* name, std::span<const float> array, std::size_t expected) {
   if (array.size() != expected) reject(name, array.size(), std::to_string(expected));

@@ -3,11 +3,18 @@
 #pragma once
 
 #include <hatbox/arrays.h>
+#include <hatbox/lights.h>
 
 #include <cstddef>
 #include <span>
+#include <string>
 
 namespace hatbox {
+
+bool is_finite(const Vec3& v);
+
+/// For messages: "(x, y, z)".
+std::string to_string(const Vec3& v);
 
 /// How many shading points a call has and how many numbers (samples or queries) for each of them.
 struct BatchSize {

@@ -12,12 +12,6 @@
 namespace hatbox {
 namespace {
 
-bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-std::string to_string(const Vec3& v) {
-  return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ")";
-}
-
 const MapKernels<DiskConstants>& kernels_of(DiskMap map) {
   const auto index = static_cast<std::size_t>(map);
   if (index >= disk_map_count) throw std::invalid_argument("map: there is no DiskMap " + std::to_string(index));

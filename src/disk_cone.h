@@ -142,6 +142,14 @@ struct Descent {
   V value, inverse;
 };
 
+/// Of `conjugate`, or where that is the conjugate of what is wanted, of their product over it.
+template <class V>
+HATBOX_INLINE inline Descent<V> descent_by_conjugate(Mask<V> away, V product, V conjugate) {
+  const V numerator = select(away, product, conjugate);
+  const V denominator = select(away, conjugate, V(1));
+  return {numerator / denominator, denominator / numerator};
+}
+
 // It is z − κ Y, with X = cos α x and Y = cos β y, which cancels where a ray grazes the far half of the disk. Times its
 // conjugate z + κ Y it is, since z² = X² + Y² + (1 − x² − y²), a sum of positive terms:
 //   k'² z² + κ² (1 − x² − y² + X²)
@@ -151,10 +159,7 @@ HATBOX_INLINE inline Descent<V> descent(const DiskCone<V>& cone, const EllipsePo
   const V conjugate = q.z + abs(tilt);
   const V X = cone.cos_beta * q.x;  // over k'
   const V product = fma(cone.kappa * cone.kappa, fma(cone.k2 * X, X, q.inwards), cone.k2 * (q.z * q.z));
-  const Mask<V> away = tilt > V(0);
-  const V numerator = select(away, product, conjugate);
-  const V denominator = select(away, conjugate, V(1));
-  return {numerator / denominator, denominator / numerator};
+  return descent_by_conjugate(tilt > V(0), product, conjugate);
 }
 
 // On the disk the place of q is a Möbius map of the tangent ellipse's unit disk:
@@ -167,11 +172,7 @@ HATBOX_INLINE inline void DiskCone<V>::emit(const EllipsePoint<V>& q, LightSampl
   const V q_t = fma(m_t, q.z, m_n * (this->b * q.y));
   const V q_n = m_n * down.value;
   const V along[3] = {fma(q_t, t_u, -(q_x * t_v)), fma(q_t, t_v, q_x * t_u), select(below, q_n, -q_n)};
-  for (int i = 0; i < 3; ++i) {
-    out.direction[i] =
-        fma(V(light.axes[0][i]), along[0], fma(V(light.axes[1][i]), along[1], V(light.axes[2][i]) * along[2]));
-  }
-  out.cosine = -along[2];
+  set_direction(light, along, out);
   const V distance = height_over_m_n * down.inverse;
   out.distance = distance * V(light.radius);
   const V far_tau = fma(-kappa, q.z, this->cos_beta * q.y) * down.inverse;

@@ -1,13 +1,11 @@
 #include "disk_constants.h"
 
+#include "light_frame.h"
+
 #include <cmath>
 
 namespace hatbox {
 namespace {
-
-struct Double3 {
-  double x, y, z;
-};
 
 struct Frame {
   Double3 u, v, n;
@@ -30,21 +28,12 @@ DiskConstantsOf<T> disk_constants(const Disk& light) {
   const double length = std::sqrt(nx * nx + ny * ny + nz * nz);
   const double to_unit = 1.0 / length, to_radii = 1.0 / double{light.radius};
   const Frame frame = frame_of({nx * to_unit, ny * to_unit, nz * to_unit});
-  const double axes[3][3] = {
-      {frame.u.x, frame.u.y, frame.u.z}, {frame.v.x, frame.v.y, frame.v.z}, {frame.n.x, frame.n.y, frame.n.z}};
 
   DiskConstantsOf<T> constants = {};
-  constants.center[0] = light.center.x;
-  constants.center[1] = light.center.y;
-  constants.center[2] = light.center.z;
-  for (int row = 0; row < 3; ++row) {
-    for (int i = 0; i < 3; ++i) {
-      const double scaled = axes[row][i] * to_radii;
-      constants.axes[row][i] = static_cast<T>(axes[row][i]);
-      constants.axes_hi[row][i] = static_cast<T>(scaled);
-      constants.axes_lo[row][i] = static_cast<T>(scaled - double{constants.axes_hi[row][i]});
-    }
-  }
+  set_center(constants, light.center);
+  set_axis(constants, 0, frame.u, to_radii);
+  set_axis(constants, 1, frame.v, to_radii);
+  set_axis(constants, 2, frame.n, to_radii);
   constants.radius = light.radius;
   constants.inverse_radius = static_cast<T>(to_radii);
   return constants;

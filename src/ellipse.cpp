@@ -2,6 +2,7 @@
 #include "calls.h"
 #include "dispatch.h"
 #include "ellipse_constants.h"
+#include "light_frame.h"
 
 #include <hatbox/ellipse.h>
 
@@ -12,17 +13,6 @@
 
 namespace hatbox {
 namespace {
-
-bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-std::string to_string(const Vec3& v) {
-  return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ")";
-}
-
-// In double no length or product of floats over- or underflows.
-double dot(const Vec3& a, const Vec3& b) {
-  return double{a.x} * double{b.x} + double{a.y} * double{b.y} + double{a.z} * double{b.z};
-}
 
 /// The constants of a light that passes `check`; throws otherwise.
 EllipseConstants ready(const Ellipse& light) {
@@ -45,15 +35,16 @@ std::string_view check(const Ellipse& light) noexcept {
   if (!is_finite(light.center)) return "light.center is not finite";
   if (!is_finite(light.semi_axis_u)) return "light.semi_axis_u is not finite";
   if (!is_finite(light.semi_axis_v)) return "light.semi_axis_v is not finite";
-  const double u = std::sqrt(dot(light.semi_axis_u, light.semi_axis_u));
-  const double v = std::sqrt(dot(light.semi_axis_v, light.semi_axis_v));
+  // In double no length or product of floats over- or underflows.
+  const Double3 axis_u = in_double(light.semi_axis_u), axis_v = in_double(light.semi_axis_v);
+  const double u = std::sqrt(dot(axis_u, axis_u)), v = std::sqrt(dot(axis_v, axis_v));
   if (u == 0) return "light.semi_axis_u is zero";
   if (v == 0) return "light.semi_axis_v is zero";
   if (u > longest) return "light.semi_axis_u is longer than the largest float";
   if (v > longest) return "light.semi_axis_v is longer than the largest float";
   if (u < least_ratio * v) return "light.semi_axis_u is shorter than 1e-6 of light.semi_axis_v";
   if (v < least_ratio * u) return "light.semi_axis_v is shorter than 1e-6 of light.semi_axis_u";
-  if (std::abs(dot(light.semi_axis_u, light.semi_axis_v)) > largest_cosine * u * v) {
+  if (std::abs(dot(axis_u, axis_v)) > largest_cosine * u * v) {
     return "light.semi_axis_v is not perpendicular to light.semi_axis_u";
   }
   return {};

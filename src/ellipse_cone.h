@@ -217,10 +217,7 @@ HATBOX_INLINE inline Descent<V> descent(const EllipseCone<V>& cone, const Ellips
   const V cross = fma(cone.cross[0], q.y, -(cone.cross[1] * q.x));
   const V conjugate = q.z + abs(tilt);
   const V product = fma(cone.kappa2, q.inwards, fma(cone.nearness, q.z * q.z, cross * cross));
-  const Mask<V> away = tilt > V(0);
-  const V numerator = select(away, product, conjugate);
-  const V denominator = select(away, conjugate, V(1));
-  return {numerator / denominator, denominator / numerator};
+  return descent_by_conjugate(tilt > V(0), product, conjugate);
 }
 
 template <class V>
@@ -229,11 +226,7 @@ HATBOX_INLINE inline void EllipseCone<V>::emit(const EllipsePoint<V>& q, LightSa
   const V q_n = m_n * down.value;
   const V along[3] = {fma(x_axis[0], q.x, fma(y_axis[0], q.y, z_axis[0] * q.z)),
                       fma(x_axis[1], q.x, fma(y_axis[1], q.y, z_axis[1] * q.z)), select(below, q_n, -q_n)};
-  for (int i = 0; i < 3; ++i) {
-    out.direction[i] =
-        fma(V(light.axes[0][i]), along[0], fma(V(light.axes[1][i]), along[1], V(light.axes[2][i]) * along[2]));
-  }
-  out.cosine = -along[2];
+  set_direction(light, along, out);
   out.distance = reach * down.inverse * V(light.radius);
   const auto place = [&](int i) HATBOX_INLINE {
     const V numerator = fma(place_row[i][0], q.x, fma(place_row[i][1], q.y, place_row[i][2] * q.z));

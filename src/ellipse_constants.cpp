@@ -1,22 +1,13 @@
 #include "ellipse_constants.h"
 
+#include "light_frame.h"
+
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 namespace hatbox {
 namespace {
-
-struct Double3 {
-  double x, y, z;
-};
-
-Double3 in_double(const Vec3& v) { return {v.x, v.y, v.z}; }
-double dot(const Double3& a, const Double3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Double3 scaled(double factor, const Double3& v) { return {factor * v.x, factor * v.y, factor * v.z}; }
-Double3 cross(const Double3& a, const Double3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /// A semi-axis: a unit vector and its length.
 struct SemiAxis {
@@ -50,17 +41,6 @@ Frame frame_of(const Ellipse& light) {
   return {u, v, normal, swapped};
 }
 
-template <class T>
-void set_row(EllipseConstantsOf<T>& constants, int row, const Double3& unit, double inverse_length) {
-  const double axis[3] = {unit.x, unit.y, unit.z};
-  for (int i = 0; i < 3; ++i) {
-    const double divided = axis[i] * inverse_length;
-    constants.axes[row][i] = static_cast<T>(axis[i]);
-    constants.axes_hi[row][i] = static_cast<T>(divided);
-    constants.axes_lo[row][i] = static_cast<T>(divided - double{constants.axes_hi[row][i]});
-  }
-}
-
 /// `size` in units of the longer semi-axis.
 template <class T>
 void set_span(EllipseConstantsOf<T>& constants, int index, const Double3& unit, double size) {
@@ -79,12 +59,10 @@ EllipseConstantsOf<T> ellipse_constants(const Ellipse& light) {
   const double inverse_radius = 1 / frame.longer.length, ratio = frame.shorter.length * inverse_radius;
 
   EllipseConstantsOf<T> constants = {};
-  constants.center[0] = light.center.x;
-  constants.center[1] = light.center.y;
-  constants.center[2] = light.center.z;
-  set_row(constants, 0, frame.longer.unit, inverse_radius);
-  set_row(constants, 1, frame.shorter.unit, 1 / frame.shorter.length);
-  set_row(constants, 2, frame.normal, inverse_radius);
+  set_center(constants, light.center);
+  set_axis(constants, 0, frame.longer.unit, inverse_radius);
+  set_axis(constants, 1, frame.shorter.unit, 1 / frame.shorter.length);
+  set_axis(constants, 2, frame.normal, inverse_radius);
   set_span(constants, frame.swapped ? 1 : 0, frame.longer.unit, 1);
   set_span(constants, frame.swapped ? 0 : 1, frame.shorter.unit, ratio);
   constants.ratio = static_cast<T>(ratio);

@@ -33,6 +33,16 @@ inline Mask<V> is_finite(V x) {
   return abs(x) < constant<V>(infinity<V>);
 }
 
+/// A direction given along the light's own axes, in world space, and the cosine.
+template <class Light, class V>
+HATBOX_INLINE inline void set_direction(const Light& light, const V (&along)[3], LightSample<V>& out) {
+  for (int i = 0; i < 3; ++i) {
+    out.direction[i] =
+        fma(V(light.axes[0][i]), along[0], fma(V(light.axes[1][i]), along[1], V(light.axes[2][i]) * along[2]));
+  }
+  out.cosine = -along[2];
+}
+
 /// The component of a direction along an axis.
 template <class V>
 inline V along(const Scalar<V> (&axis)[3], const V (&direction)[3]) {

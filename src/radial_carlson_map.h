@@ -33,14 +33,6 @@ struct Quadrant {
   }
 };
 
-/// Sine and cosine of a share of a quarter turn.
-template <class V>
-HATBOX_INLINE inline SinCos<V> sincos_quarter(V fraction) {
-  const Mask<V> upper = fraction > V(0.5);
-  const SinCos<V> octant = sincos_octant(V(2) * select(upper, V(1) - fraction, fraction));
-  return {select(upper, octant.cos, octant.sin), select(upper, octant.sin, octant.cos)};
-}
-
 template <class V>
 class RadialCarlsonMap {
  public:
@@ -109,7 +101,7 @@ class RadialCarlsonMap {
   /// Eq. 21 in η, where the derivative 1/(1 + h) is within a factor 2 of constant. The start is the inverse of the
   /// series 1/(1 + h) ∝ 1 + A cos 2η to second order.
   HATBOX_INLINE SinCos<V> inverse(V fraction) const {
-    const SinCos<V> theta = sincos_quarter(fraction);
+    const SinCos<V> theta = sincos_quadrant(V(2) * fraction);
     const V cos_alpha = cone_.cos_beta * sqrt(cone_.k2);
     const V A = (cone_.cos_beta - cos_alpha) / (V(2) + cone_.cos_beta + cos_alpha);
     const V cos_2theta = fma(V(-2) * theta.sin, theta.sin, V(1));

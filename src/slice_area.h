@@ -27,14 +27,6 @@
 namespace hatbox::HATBOX_ISA {
 namespace {
 
-/// Of an angle of 0 to 2 octants.
-template <class V>
-inline SinCos<V> sincos_quadrant(V octants) {
-  const Mask<V> low = octants <= V(1);
-  const SinCos<V> s = sincos_octant(select(low, octants, V(2) - octants));
-  return {select(low, s.sin, s.cos), select(low, s.cos, s.sin)};
-}
-
 /// Within 12 % for 1e-10 to 1e10, by U ← (xU)^¼. It only starts Newton's method.
 template <class V>
 inline V rough_cube_root(V x) {

@@ -30,6 +30,14 @@ inline SinCos<V> sincos_octant(V x) {
   }
 }
 
+/// Of π/4·octants, for 0 <= octants <= 2.
+template <class V>
+inline SinCos<V> sincos_quadrant(V octants) {
+  const Mask<V> low = octants <= V(1);
+  const SinCos<V> s = sincos_octant(select(low, octants, V(2) - octants));
+  return {select(low, s.sin, s.cos), select(low, s.cos, s.sin)};
+}
+
 /// Of x itself, for |x| <= 0.2, by Taylor's series: max error 1 ulp of 1.
 template <class V>
 inline SinCos<V> sincos_small(V x) {

@@ -5,6 +5,7 @@
 #include "support/disk_maps.h"
 #include "support/isa_fixture.h"
 #include "support/statistics.h"
+#include "support/uniformity.h"
 #include "support/workloads.h"
 
 #include <hatbox/hatbox.h>
@@ -122,37 +123,21 @@ TEST_P(DiskAccuracy, DirectionsMatchReference) {
 
 HATBOX_FOR_EVERY_ISA_AND_POSE(DiskAccuracy);
 
-class DiskUniformitySlow : public DiskTest {
- protected:
-  /// For each point, how far pdf·Ω strays: from one, and between any two of side² samples.
-  std::vector<double> variations(Workload workload, DiskMap map, std::size_t n, std::size_t side) const {
-    const Disk light = disk_in(pose());
-    const PointArrays points = make_points(workload, pose(), n);
-    const VariateArrays variates = make_stratified(n, side);
-    SampleArrays samples(variates.size());
-    std::vector<float> omega(n);
-    sample(light, map, points.view(), variates.view(), samples.view());
-    solid_angle(light, points.view(), omega);
-    std::vector<double> low(n, 1), high(n, 1);
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const double product = static_cast<double>(samples.at(SampleArrays::pdf, i)) * static_cast<double>(omega[i % n]);
-      low[i % n] = std::min(low[i % n], product);
-      high[i % n] = std::max(high[i % n], product);
-    }
-    for (std::size_t i = 0; i < n; ++i) high[i] -= low[i];
-    return high;
-  }
-};
+class DiskUniformitySlow : public DiskTest {};
 
 TEST_P(DiskUniformitySlow, DensityTimesSolidAngleIsOne) {
   for (const DiskMap map :
        {DiskMap::ld_radial, DiskMap::radial, DiskMap::parallel, DiskMap::radial_carlson, DiskMap::parallel_carlson}) {
+    const Sampler sampler(name(map), disk_in(pose()), map);
+    const auto variations_in = [&](Workload workload, std::size_t n, std::size_t side) {
+      return variations(sampler, make_points(workload, pose(), n), side);
+    };
     constexpr std::size_t sides[] = {1, 16};  // one sample a point, and many that share the set-up
     for (const std::size_t side : sides) {
       const std::size_t n = side == 1 ? 20000 : 2000;
-      const auto w1 = variations(Workload::w1, map, n, side);
-      const auto w2 = variations(Workload::w2, map, n, side);
-      const auto w3 = variations(Workload::w3, map, n, side);
+      const auto w1 = variations_in(Workload::w1, n, side);
+      const auto w2 = variations_in(Workload::w2, n, side);
+      const auto w3 = variations_in(Workload::w3, n, side);
       report_quantiles("variation_" + label(Workload::w1, map, side * side), w1);
       report_quantiles("variation_" + label(Workload::w2, map, side * side), w2);
       report_quantiles("variation_" + label(Workload::w3, map, side * side), w3);

@@ -1,5 +1,6 @@
 // The calls against each other: what `sample` returns, `pdf` and `invert` must recognise; and the geometry of a sample.
 #include "reference/disk_eta_reference.h"
+#include "support/conditioning.h"
 #include "support/disk_maps.h"
 #include "support/isa_fixture.h"
 #include "support/statistics.h"
@@ -101,20 +102,6 @@ TEST_P(DiskRoundTrip, PdfOfPlaceIsThatOfSample) {
                      });
 }
 
-/// The relative change of the density within an ulp of each coordinate of the direction: what a float direction hides.
-double direction_conditioning(const EtaDisk& disk, DiskMap map, const SampleArrays& samples, std::size_t i) {
-  if (map != DiskMap::area) return 0;
-  const double here = disk.pdf(map, samples.direction(i));
-  double sum = 0;
-  for (const auto coordinate : {&Vector<double>::x, &Vector<double>::y, &Vector<double>::z}) {
-    Vector<double> moved = samples.direction(i);
-    moved.*coordinate += 1e-3 * ulp(static_cast<float>(moved.*coordinate));
-    const double there = disk.pdf(map, moved);
-    if (there > 0 && here > 0) sum += std::abs(there / here - 1) / 1e-3;
-  }
-  return sum;
-}
-
 TEST_P(DiskRoundTrip, PdfOfDirectionIsThatOfSample) {
   const DiskFrame<long double> frame(light());
   for_every_sampling(
@@ -125,7 +112,7 @@ TEST_P(DiskRoundTrip, PdfOfDirectionIsThatOfSample) {
         for (std::size_t i = 0; i < of_direction.size(); ++i) {
           double error = std::abs(of_direction[i] / samples.at(SampleArrays::pdf, i) - 1.0);
           if (error > 1e-5) {
-            error -= 4 * direction_conditioning(EtaDisk(frame, points[i % points.size()]), map, samples, i);
+            error -= 4 * pdf_conditioning(EtaDisk(frame, points[i % points.size()]), map, samples.direction(i));
           }
           errors.push_back(std::max(error, 0.0));
         }

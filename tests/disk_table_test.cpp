@@ -4,6 +4,7 @@
 #include "support/bits.h"
 #include "support/isa_fixture.h"
 #include "support/statistics.h"
+#include "support/uniformity.h"
 
 #include <hatbox/hatbox.h>
 
@@ -205,32 +206,16 @@ HATBOX_FOR_EVERY_ISA_AND_POSE(DiskTableCalls);
 
 class DiskTableUniformitySlow : public IsaTest {};
 
-/// For each of n points how far pdf·Ω strays: from one, and between any two of 16² samples.
-std::vector<double> variations(Workload workload, const DiskTable& table, std::size_t n) {
-  const Disk light = disk_in(Pose::canonical);
-  const PointArrays points = make_points(workload, Pose::canonical, n);
-  const VariateArrays variates = make_stratified(n, 16);
-  SampleArrays samples(variates.size());
-  std::vector<float> omega(n);
-  sample(light, table, points.view(), variates.view(), samples.view());
-  solid_angle(light, points.view(), omega);
-  std::vector<double> low(n, 1), high(n, 1);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double product = static_cast<double>(samples.at(SampleArrays::pdf, i)) * static_cast<double>(omega[i % n]);
-    low[i % n] = std::min(low[i % n], product);
-    high[i % n] = std::max(high[i % n], product);
-  }
-  for (std::size_t i = 0; i < n; ++i) high[i] -= low[i];
-  return high;
-}
-
 /// As include/hatbox/disk_table.h says, but for tables smaller than it speaks of.
 TEST_P(DiskTableUniformitySlow, DensityTimesSolidAngleIsNearlyOne) {
   for (const std::size_t resolution : {std::size_t{8}, std::size_t{64}, std::size_t{256}, std::size_t{1024}}) {
-    const DiskTable& table = table_of(DiskMap::ld_radial, resolution);
-    const auto w1 = variations(Workload::w1, table, 4000);
-    const auto w2 = variations(Workload::w2, table, 4000);
-    const auto w3 = variations(Workload::w3, table, 4000);
+    const Sampler sampler("table", disk_in(Pose::canonical), table_of(DiskMap::ld_radial, resolution));
+    const auto variations_in = [&](Workload workload) {
+      return variations(sampler, make_points(workload, Pose::canonical, 4000), 16);
+    };
+    const auto w1 = variations_in(Workload::w1);
+    const auto w2 = variations_in(Workload::w2);
+    const auto w3 = variations_in(Workload::w3);
     report_quantiles("variation_W1_" + std::to_string(resolution), w1);
     report_quantiles("variation_W2_" + std::to_string(resolution), w2);
     report_quantiles("variation_W3_" + std::to_string(resolution), w3);

@@ -7,6 +7,7 @@
 #include "support/isa_fixture.h"
 #include "support/sampler_calls.h"
 #include "support/statistics.h"
+#include "support/uniformity.h"
 
 #include <hatbox/hatbox.h>
 
@@ -167,27 +168,7 @@ TEST_P(EllipseAccuracy, CirclesAreDisks) {
 
 HATBOX_FOR_EVERY_ISA_AND_POSE(EllipseAccuracy);
 
-class EllipseUniformitySlow : public DiskTest {
- protected:
-  /// For each point, how far pdf·Ω strays: from one, and between any two of side² samples.
-  static std::vector<double> variations(const Ellipse& light, const PointArrays& points, EllipseMap map,
-                                        std::size_t side) {
-    const std::size_t n = points.size();
-    const VariateArrays variates = make_stratified(n, side);
-    SampleArrays samples(variates.size());
-    std::vector<float> omega(n);
-    sample(light, map, points.view(), variates.view(), samples.view());
-    solid_angle(light, points.view(), omega);
-    std::vector<double> low(n, 1), high(n, 1);
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const double product = static_cast<double>(samples.at(SampleArrays::pdf, i)) * static_cast<double>(omega[i % n]);
-      low[i % n] = std::min(low[i % n], product);
-      high[i % n] = std::max(high[i % n], product);
-    }
-    for (std::size_t i = 0; i < n; ++i) high[i] -= low[i];
-    return high;
-  }
-};
+class EllipseUniformitySlow : public DiskTest {};
 
 /// Wide ellipses keep what is promised of disks. Next to the tips of narrow ones the series of eta_series.h is less
 /// even: with one sample a point the aspects taken together keep it too, with 256 of them 2 points of W1 in 1000 stray
@@ -202,7 +183,7 @@ TEST_P(EllipseUniformitySlow, DensityTimesSolidAngleIsOne) {
         std::vector<double> all;
         for (const double aspect : ellipse_aspects) {
           const std::string what = label(workload, aspect) + "_" + name(map) + "_k" + std::to_string(side * side);
-          const auto errors = variations(ellipse_in(pose(), aspect), points, map, side);
+          const auto errors = variations(Sampler(what, ellipse_in(pose(), aspect), map), points, side);
           report_quantiles("variation_" + what, errors);
           all.insert(all.end(), errors.begin(), errors.end());
           if (aspect == 1 || aspect == 0.5) {

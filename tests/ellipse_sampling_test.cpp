@@ -2,6 +2,7 @@
 // it integrates what is known, and its directions are distributed as their densities say.
 #include "reference/ellipse_reference.h"
 #include "reference/irradiance.h"
+#include "support/conditioning.h"
 #include "support/ellipses.h"
 #include "support/isa_fixture.h"
 #include "support/statistics.h"
@@ -89,20 +90,6 @@ TEST_P(EllipseRoundTrip, PdfOfPlaceIsThatOfSample) {
   }
 }
 
-/// The relative change of the density within an ulp of each coordinate of the direction: what a float direction hides.
-double direction_conditioning(const EtaEllipse& ellipse, EllipseMap map, const SampleArrays& samples, std::size_t i) {
-  if (map != EllipseMap::area) return 0;
-  const double here = ellipse.pdf(map, samples.direction(i));
-  double sum = 0;
-  for (const auto coordinate : {&Vector<double>::x, &Vector<double>::y, &Vector<double>::z}) {
-    Vector<double> moved = samples.direction(i);
-    moved.*coordinate += 1e-3 * ulp(static_cast<float>(moved.*coordinate));
-    const double there = ellipse.pdf(map, moved);
-    if (there > 0 && here > 0) sum += std::abs(there / here - 1) / 1e-3;
-  }
-  return sum;
-}
-
 TEST_P(EllipseRoundTrip, PdfOfDirectionIsThatOfSample) {
   for_every_sampling(Workload::w1, [&](const Ellipse& light, EllipseMap map, const PointArrays& points,
                                        const VariateArrays&, const SampleArrays& samples) {
@@ -112,7 +99,7 @@ TEST_P(EllipseRoundTrip, PdfOfDirectionIsThatOfSample) {
     for (std::size_t i = 0; i < of_direction.size(); ++i) {
       double error = std::abs(of_direction[i] / samples.at(SampleArrays::pdf, i) - 1.0);
       if (error > 1e-5) {
-        error -= 4 * direction_conditioning(EtaEllipse(light, points[i % points.size()]), map, samples, i);
+        error -= 4 * pdf_conditioning(EtaEllipse(light, points[i % points.size()]), map, samples.direction(i));
       }
       errors.push_back(std::max(error, 0.0));
     }

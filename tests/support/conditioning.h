@@ -1,9 +1,12 @@
 // What the rounding of the inputs makes of a result.
 #pragma once
 
+#include "reference/vector.h"
 #include "support/statistics.h"
 
 #include <hatbox/ellipse.h>
+
+#include <cmath>
 
 namespace hatbox::test {
 
@@ -22,6 +25,23 @@ double conditioning(Ellipse light, Vec3 point, const Function& f, const Distance
       *x = here;
       sum += distance(ahead, behind) / 2;
     }
+  }
+  return sum;
+}
+
+/// The relative change of a reference's density within an ulp of each coordinate of the direction: what a float
+/// direction hides. The solid-angle maps have none.
+template <class Reference, class Map>
+double pdf_conditioning(const Reference& seen, Map map, const reference::Vector<double>& direction) {
+  if (map != Map::area) return 0;
+  const double here = seen.pdf(map, direction);
+  double sum = 0;
+  for (const auto coordinate :
+       {&reference::Vector<double>::x, &reference::Vector<double>::y, &reference::Vector<double>::z}) {
+    reference::Vector<double> moved = direction;
+    moved.*coordinate += 1e-3 * ulp(static_cast<float>(moved.*coordinate));
+    const double there = seen.pdf(map, moved);
+    if (there > 0 && here > 0) sum += std::abs(there / here - 1) / 1e-3;
   }
   return sum;
 }
