@@ -275,7 +275,7 @@ TEST(Compare, writes_pictures_and_the_report) {
   const Scene scene = read_scene(std::filesystem::path(WAVEFRONT_SCENES) / "spheres.xml");
   Comparison comparison;
   comparison.scene_name = "spheres";
-  comparison.maps = {"area", "ld_radial", "radial"};
+  for (const char* map : {"area", "ld_radial", "radial"}) comparison.samplings.push_back(light_sampling(map));
   comparison.reference_spp = 128;
   comparison.settings = {.width = 160, .height = 120, .spp = 16};
   comparison.out = scratch.path();

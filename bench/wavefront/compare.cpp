@@ -108,12 +108,12 @@ void compare(const Scene& scene, const Comparison& comparison) {
                 reference->seconds);
   }
   std::vector<Row> rows;
-  for (const std::string& map : comparison.maps) {
+  for (const LightSampling& sampling : comparison.samplings) {
     RenderSettings settings = comparison.settings;
-    settings.sampling = light_sampling(map);
-    Row row{map, render(scene, tracer, settings, map), {}};
+    settings.sampling = sampling;
+    Row row{sampling.name, render(scene, tracer, settings, sampling.name), {}};
     if (reference) row.mse = mean_squared_error(row.render.image, reference->image);
-    write_picture(row.render.image, comparison.out, map);
+    write_picture(row.render.image, comparison.out, sampling.name);
     rows.push_back(std::move(row));
   }
   print_table(rows, comparison.settings.spp);

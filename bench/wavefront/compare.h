@@ -12,7 +12,7 @@ namespace wavefront {
 /// What to render, apart from RenderSettings::sampling and light_samples.
 struct Comparison {
   std::string scene_name;  // for the report
-  std::vector<std::string> maps;
+  std::vector<LightSampling> samplings;
   std::uint32_t reference_spp = 0;  // 0: no reference, no errors
   RenderSettings settings;
   std::filesystem::path out;  // an existing directory

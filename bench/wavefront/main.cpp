@@ -69,8 +69,8 @@ void run(const Options& options) {
                                     static_cast<std::size_t>(options.threads));
   wavefront::Comparison comparison;
   comparison.scene_name = options.scene;
-  comparison.maps = options.compare.empty() ? std::vector{options.map} : options.compare;
-  for (const std::string& map : comparison.maps) wavefront::light_sampling(map);
+  for (const std::string& map : options.compare.empty() ? std::vector{options.map} : options.compare)
+    comparison.samplings.push_back(wavefront::light_sampling(map));
   comparison.reference_spp = options.compare.empty() ? 0 : options.reference_spp;
   comparison.out = options.out;
 
