@@ -14,12 +14,11 @@
 // of ψ. Both vanish like ζ³ at the end, and are formed without the cancellation this implies: short slices decide where
 // the ends of the pattern lie. No difference of large terms is taken for far lights either.
 //
-// Measured against Carlson's form of eq. 11, b_t² s (R_F − (1 + b_t²)/3 s² R_J), by Boost in scalar float on W1: an
-// evaluation here costs 40 ns after a set-up of 120, there 145; the share of the area is off by 1.3e-7 at 99.9 %, there
-// by 6e-7, and there the short slices are a difference of two long ones.
+// Measured against Carlson's form of eq. 11 (parallel_carlson_map.h) on W1: a sample takes 0.96 of its time on AVX2 and
+// 0.86 on AVX-512, at 16 samples a point 1.0 and 0.73; directions are off by 2.2e-6 rad at most, there by 3.7e-5. Hence
+// this form.
 //
 // The density of a sample is that of f, exactly, so what its truncation costs is a slight variation, never bias.
-//
 #pragma once
 
 #include "spherical_ellipse.h"
