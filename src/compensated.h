@@ -42,5 +42,19 @@ HATBOX_INLINE inline V dot(const V (&a)[3], const Scalar<V> (&b_high)[3], const 
   return s2.high + low;
 }
 
+/// a · b, both of twice the precision, as if computed in that: an unevaluated sum.
+template <class V>
+HATBOX_INLINE inline Pair<V> dot_pair(const Pair<V> (&a)[3], const Scalar<V> (&b_high)[3],
+                                      const Scalar<V> (&b_low)[3]) {
+  const Pair<V> p0 = two_product(a[0].high, V(b_high[0]));
+  const Pair<V> p1 = two_product(a[1].high, V(b_high[1]));
+  const Pair<V> p2 = two_product(a[2].high, V(b_high[2]));
+  const Pair<V> s1 = two_sum(p0.high, p1.high);
+  const Pair<V> s2 = two_sum(s1.high, p2.high);
+  V low = (p0.low + p1.low) + p2.low + (s1.low + s2.low);
+  for (int i = 0; i < 3; ++i) low = fma(a[i].high, V(b_low[i]), fma(a[i].low, V(b_high[i]), low));
+  return {s2.high, low};
+}
+
 }  // namespace
 }  // namespace hatbox::HATBOX_ISA

@@ -2,6 +2,8 @@
 // kernels.cpp is compiled once per instruction set and exports one KernelTable each; dispatch.cpp picks one.
 #pragma once
 
+#include "rectangle_constants.h"
+
 #include <cstddef>
 
 namespace hatbox {
@@ -89,6 +91,7 @@ struct MapKernels {
 
 inline constexpr std::size_t disk_map_count = 6;
 inline constexpr std::size_t ellipse_map_count = 3;
+inline constexpr std::size_t rectangle_map_count = 2;
 
 /// One call of an elliptic integral: the arrays of its arguments, in the order of the call.
 struct CarlsonJob {
@@ -111,6 +114,8 @@ struct KernelTable {
   QueryKernel<DiskConstants> disk_solid_angle;
   MapKernels<EllipseConstants> ellipse[ellipse_map_count];  // in the order of EllipseMap
   QueryKernel<EllipseConstants> ellipse_solid_angle;
+  MapKernels<RectangleConstants> rectangle[rectangle_map_count];  // in the order of RectangleMap
+  QueryKernel<RectangleConstants> rectangle_solid_angle;
   CarlsonKernels carlson;
   // residual[i] = x[i]·y[i] − round(x[i]·y[i]): how the tests see that `fma` is fused. n is a multiple of lanes.
   void (*product_residual)(const float* x, const float* y, float* residual, std::size_t n);

@@ -23,6 +23,8 @@ constexpr KernelTable table = {
     .ellipse = {kernels_of<EllipseArea, EllipseConstants>, kernels_of<EllipseLdRadial, EllipseConstants>,
                 kernels_of<EllipseRadial, EllipseConstants>},
     .ellipse_solid_angle = solid_angle<EllipseCone, EllipseConstants>,
+    .rectangle = {kernels_of<RectangleArea, RectangleConstants>, kernels_of<RectangleSpherical, RectangleConstants>},
+    .rectangle_solid_angle = solid_angle<RectangleStrips, RectangleConstants>,
     .carlson = {rf_kernel, rc_kernel, rd_kernel, rj_kernel, ellint_f_kernel, ellint_e_kernel, ellint_pi_kernel},
     .product_residual = product_residual,
 };

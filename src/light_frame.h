@@ -16,15 +16,21 @@ inline Double3 cross(const Double3& a, const Double3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// Rounds to T and keeps what that leaves. Not inlined: where g++ 12 vectorizes several of these, the remainders it
+/// computes are zero.
+template <class T>
+[[gnu::noinline]] void split(double value, T& high, T& low) {
+  high = static_cast<T>(value);
+  low = static_cast<T>(value - double{high});
+}
+
 /// An axis of the light, a unit vector, and in units of a length: rounded, and what the rounding left.
 template <class T, template <class> class Constants>
 void set_axis(Constants<T>& constants, int row, const Double3& unit, double inverse_length) {
   const double axis[3] = {unit.x, unit.y, unit.z};
   for (int i = 0; i < 3; ++i) {
-    const double divided = axis[i] * inverse_length;
     constants.axes[row][i] = static_cast<T>(axis[i]);
-    constants.axes_hi[row][i] = static_cast<T>(divided);
-    constants.axes_lo[row][i] = static_cast<T>(divided - double{constants.axes_hi[row][i]});
+    split(axis[i] * inverse_length, constants.axes_hi[row][i], constants.axes_lo[row][i]);
   }
 }
 

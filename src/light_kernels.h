@@ -88,7 +88,7 @@ void solid_angle(const QueryJob<Light>& job, std::size_t begin, std::size_t end)
     using V = VectorOf<decltype(memory)>;
     const Cone<V> cone(job.light, memory.load(job.point[0] + i), memory.load(job.point[1] + i),
                        memory.load(job.point[2] + i));
-    const V area = spherical_ellipse_area(cone);
+    const V area = solid_angle_of(cone);
     memory.store(job.out[0] + i, select(honest(cone.valid, area), area, V(0)));
   });
 }

@@ -8,6 +8,8 @@
 #include "parallel_map.h"
 #include "radial_carlson_map.h"
 #include "radial_map.h"
+#include "rectangle_area_map.h"
+#include "rectangle_map.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {
@@ -35,6 +37,11 @@ template <class V>
 using EllipseLdRadial = RadialMap<EllipseCone<V>, EtaSeries<V>, ConcentricChart>;
 template <class V>
 using EllipseRadial = RadialMap<EllipseCone<V>, EtaSeries<V>, PolarChart>;
+
+template <class V>
+using RectangleArea = RectangleAreaMap<V>;
+template <class V>
+using RectangleSpherical = SphericalRectangle<V>;
 
 }  // namespace
 }  // namespace hatbox::HATBOX_ISA

@@ -13,6 +13,7 @@
 #include <xsimd/xsimd.hpp>
 #endif
 
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -84,6 +85,12 @@ template <class T>
 inline IfScalar<T> copysign(T magnitude, T sign) {  // of a magnitude >= 0
   return std::copysign(magnitude, sign);
 }
+inline float power_of_two(float x) {  // at or next below |x|; 0 for a subnormal x
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(x) & 0x7f800000u);
+}
+inline double power_of_two(double x) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & 0x7ff0000000000000u);
+}
 template <class T>
 inline IfScalar<T> load(const T* from, T) {
   return *from;
@@ -101,21 +108,6 @@ inline IfScalar<T> gather(const float* from, T index) {  // of a table; the inde
   return static_cast<T>(from[static_cast<int>(index)]);
 }
 inline bool any(bool mask) { return mask; }
-/// The power of two at or below x, for a normal x > 0: its exponent bits.
-inline float power_of_two(float x) {
-  std::uint32_t bits;
-  std::memcpy(&bits, &x, sizeof x);
-  bits &= 0x7f800000u;
-  std::memcpy(&x, &bits, sizeof x);
-  return x;
-}
-inline double power_of_two(double x) {
-  std::uint64_t bits;
-  std::memcpy(&bits, &x, sizeof x);
-  bits &= 0x7ff0000000000000u;
-  std::memcpy(&x, &bits, sizeof x);
-  return x;
-}
 
 #ifdef HATBOX_ISA_ARCH
 // For the one vector type of this object. No templates, so that they win over xsimd's functions of the same name.

@@ -35,5 +35,10 @@ inline V spherical_ellipse_area(const SphericalEllipse<V>& cone) {
   return constant<V>(2 * pi) * cone.a * (cone.b * mean);
 }
 
+template <class V>
+inline V solid_angle_of(const SphericalEllipse<V>& cone) {
+  return spherical_ellipse_area(cone);
+}
+
 }  // namespace
 }  // namespace hatbox::HATBOX_ISA

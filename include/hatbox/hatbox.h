@@ -8,3 +8,4 @@
 #include <hatbox/ellipse.h>
 #include <hatbox/isa.h>
 #include <hatbox/lights.h>
+#include <hatbox/rectangle.h>

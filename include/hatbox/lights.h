@@ -26,4 +26,15 @@ struct Ellipse {
   Vec3 semi_axis_u, semi_axis_v;  ///< world units
 };
 
+/// A flat rectangle. It emits to both sides; one-sidedness is the renderer's choice, from `Samples::cosine`, which is
+/// positive on the side of edge_u × edge_v.
+///
+/// Valid if all numbers are finite, the lengths of the edges are normal floats, and the edges are perpendicular: the
+/// cosine of their angle is at most 1e-4. What the shorter edge has along the longer is ignored.
+struct Rectangle {
+  Vec3 corner;  ///< world space
+  Vec3 edge_u;  ///< from the corner along one side, world units
+  Vec3 edge_v;  ///< from the corner along the other
+};
+
 }  // namespace hatbox

@@ -1,0 +1,77 @@
+// Rectangular lights: sample, pdf, invert and solid angle for whole arrays of shading points.
+#pragma once
+
+#include <hatbox/arrays.h>
+#include <hatbox/lights.h>
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace hatbox {
+
+/// How (u, v) becomes a direction to the rectangle. All are bijections of the square onto the rectangle as it is seen.
+enum class RectangleMap {
+  area,       ///< uniform in area: u along edge_u, v along edge_v. Cheapest, noisy close by
+  spherical,  ///< uniform in solid angle (Ureña 2013): u moves a line over the light, v a point along it
+};
+
+// All calls are thread-safe and allocate nothing. They throw std::invalid_argument, before anything is written, if
+// spans disagree in length, the light is not one (see `check`) or `map` is none of the above; the message names the
+// argument and its value. A lane that cannot be sampled (its point in the light's plane or not finite, its variate not
+// finite, its solid angle not a normal float) gets 0 in every output; no lane gets NaN, an infinity or a negative
+// density, and none is touched by another. A lane's bits depend on its own inputs alone: not on its place, on k, on the
+// number of threads, nor (but for sse4_2, see isa.h) on the instruction set. Scaling light and points together changes
+// nothing but `distance`.
+
+/// Samples k directions from each of n points: sample j of point i lies at [j·n + i] of `variates` and `out`. The k
+/// samples of a point share its set-up, so that many cost less than their number. A place (s, t) is
+/// corner + s·edge_u + t·edge_v.
+///
+/// `out.pdf` is the density of the map as it was computed, so estimates are unbiased whatever the rounding; for
+/// spherical it is 1/Ω. Places and directions are right to 2e-6 of the light's diameter as it is seen, directions also
+/// to 4e-7 rad, which is what a float direction can tell, and of unit length to 1e-6.
+///
+/// Source: Ureña, Fajardo and King 2013, in the form that src/rectangle_strips.h and src/rectangle_map.h explain.
+void sample(const Rectangle& light, RectangleMap map, Points points, Variates variates, Samples out);
+
+/// The density, per steradian, with which `sample` picks each of the k·n `directions` (unit length, not checked): 0 for
+/// one that misses the light. The hit test has a margin of 8 ulp of the direction, in favour of a hit. `out` has k·n
+/// elements. What `sample` returned is met to 1e-5, as far as a float direction can tell.
+void pdf(const Rectangle& light, RectangleMap map, Points points, Directions directions, std::span<float> out);
+
+/// The density, per steradian, with which `sample` picks the direction to each of the k·n `places`: 0 outside the
+/// light. What `sample` returned with the place is met to 1e-5. For far lights the better of the two: a float direction
+/// cannot resolve what lies within 1e-7 rad.
+void pdf(const Rectangle& light, RectangleMap map, Points points, Places places, std::span<float> out);
+
+/// The (u, v) that `sample` turns into each of the k·n `directions`: -1, -1 for one that misses the light or cannot be
+/// sampled. Right to 1e-5 where the light is wide enough for a float direction to tell. `u` and `v` have k·n elements
+/// each.
+void invert(const Rectangle& light, RectangleMap map, Points points, Directions directions, std::span<float> u,
+            std::span<float> v);
+
+/// The solid angle of the light from each of the n points, in steradians, in (0, 2π]: right to 2e-6, relative. `out`
+/// has n elements.
+void solid_angle(const Rectangle& light, Points points, std::span<float> out);
+
+/// What is wrong with a light, beginning with the name of the member; empty if nothing is. Calls throw on a light that
+/// does not pass, so hosts without exceptions ask here first.
+std::string_view check(const Rectangle& light) noexcept;
+
+/// The same calls, the points split into blocks by TBB, in the caller's task arena and isolated from its other tasks.
+/// `grain` is the least number of points a block (0: chosen by the library); a job of one block runs in the caller's
+/// thread.
+namespace parallel {
+void sample(const Rectangle& light, RectangleMap map, Points points, Variates variates, Samples out,
+            std::size_t grain = 0);
+void pdf(const Rectangle& light, RectangleMap map, Points points, Directions directions, std::span<float> out,
+         std::size_t grain = 0);
+void pdf(const Rectangle& light, RectangleMap map, Points points, Places places, std::span<float> out,
+         std::size_t grain = 0);
+void invert(const Rectangle& light, RectangleMap map, Points points, Directions directions, std::span<float> u,
+            std::span<float> v, std::size_t grain = 0);
+void solid_angle(const Rectangle& light, Points points, std::span<float> out, std::size_t grain = 0);
+}  // namespace parallel
+
+}  // namespace hatbox

@@ -1,0 +1,128 @@
+// A rectangle as a shading point sees it: where its sides lie in its own axes, folded into one octant and scaled, and
+// which directions hit it. What the maps and the solid angle of rectangles start from.
+//
+// The reference system of Ureña et al. 2013 (UFK13), §4.1, with two differences. Its x1 = x0 + |edge| is rounded from
+// the compensated sum that x0 is rounded from, so that a light is not wider from here than from there; a difference
+// c − o or a dot product that is merely rounded costs up to a hundredth of the solid angle next to the light's plane.
+// And lengths are scaled by a power of two that brings the largest coordinate into [1, 2): squares and their products
+// stay far from under- and overflow, and no bit depends on the scene's unit.
+#pragma once
+
+#include "compensated.h"
+#include "light_sample.h"
+#include "rectangle_constants.h"
+#include "unit_square.h"
+
+#include <limits>
+
+namespace hatbox::HATBOX_ISA {
+namespace {
+
+template <class V>
+using RectangleLight = RectangleConstantsOf<Scalar<V>>;
+
+/// Where the line of a direction meets the rectangle's plane: in folded coordinates, put onto the rectangle.
+template <class V>
+struct RectangleHit {
+  V x, y;
+  Mask<V> inside;
+};
+
+// Heights above the plane are taken to be at least this share of the largest coordinate: the squares of smaller ones
+// would underflow. Beside the light its solid angle is proportional to the height there, and above it is 2π.
+inline constexpr double least_height = 0x1p-60;
+
+template <class V>
+struct RectangleLocal {
+  HATBOX_INLINE RectangleLocal(const RectangleLight<V>& rectangle, V px, V py, V pz);
+
+  /// A sampled direction is right to a few ulp: what these could move inside, is.
+  RectangleHit<V> hit(const V (&direction)[3]) const;
+
+  /// The place of an offset from (x0, y0), in scaled lengths.
+  Place<V> place_at(V offset_x, V offset_y) const {
+    const V s = min(offset_x * (V(light.inverse_length[0]) * scale), V(1));
+    const V t = min(offset_y * (V(light.inverse_length[1]) * scale), V(1));
+    return {select(flip_x, V(1) - s, s), select(flip_y, V(1) - t, t)};
+  }
+
+  const RectangleLight<V>& light;
+  Mask<V> valid;           // false in the light's plane and for non-finite points; the rest is then of no use
+  Mask<V> flip_x, flip_y;  // whether the axes are turned round, so that x0 + x1 >= 0 and y0 + y1 >= 0
+  V scale;                 // world units in a scaled one
+  V x0, x1, y0, y1;        // the sides
+  V e_x, e_y;              // the lengths of the edges: x1 − x0, y1 − y0 but for their rounding
+  V height;                // of the plane over the shading point, signed along the normal
+  V z;                     // its size, at least least_height
+};
+
+/// Both ends of an edge along an axis, each rounded but once.
+template <class V>
+struct Side {
+  V low, high;
+};
+
+template <class V>
+HATBOX_INLINE inline Side<V> side_along(const Pair<V> (&l)[3], const Scalar<V> (&axis_hi)[3],
+                                        const Scalar<V> (&axis_lo)[3], Scalar<V> length_hi, Scalar<V> length_lo) {
+  const Pair<V> near = dot_pair(l, axis_hi, axis_lo);
+  const Pair<V> far = two_sum(near.high, V(length_hi));
+  return {near.high + near.low, far.high + (far.low + (near.low + V(length_lo)))};
+}
+
+template <class V>
+HATBOX_INLINE inline RectangleLocal<V>::RectangleLocal(const RectangleLight<V>& rectangle, V px, V py, V pz)
+    : light(rectangle) {
+  const Pair<V> l[3] = {two_sum(V(light.corner[0]), -px), two_sum(V(light.corner[1]), -py),
+                        two_sum(V(light.corner[2]), -pz)};
+  const Side<V> x = side_along(l, light.axes_hi[0], light.axes_lo[0], light.length_hi[0], light.length_lo[0]);
+  const Side<V> y = side_along(l, light.axes_hi[1], light.axes_lo[1], light.length_hi[1], light.length_lo[1]);
+  const Pair<V> n = dot_pair(l, light.axes_hi[2], light.axes_lo[2]);
+  const V world_height = n.high + n.low;
+  flip_x = x.low + x.high < V(0);
+  flip_y = y.low + y.high < V(0);
+  const V largest = max(max(max(abs(x.low), abs(x.high)), max(abs(y.low), abs(y.high))), abs(world_height));
+  scale = power_of_two(largest);
+  const V down = V(1) / scale;
+  x0 = select(flip_x, -x.high, x.low) * down;
+  x1 = select(flip_x, -x.low, x.high) * down;
+  y0 = select(flip_y, -y.high, y.low) * down;
+  y1 = select(flip_y, -y.low, y.high) * down;
+  e_x = V(light.length_hi[0]) * down;
+  e_y = V(light.length_hi[1]) * down;
+  height = world_height * down;
+  z = max(abs(height), constant<V>(least_height));
+  valid = (abs(height) > V(0)) && is_finite((x.low + x.high) + (y.low + y.high) + world_height) &&
+          (largest >= constant<V>(smallest_normal<V>));
+}
+
+// A direction is within a blur of the rectangle if it is, by the sine of its angle, of each of the four planes through
+// the shading point and a side.
+template <class V>
+inline RectangleHit<V> RectangleLocal<V>::hit(const V (&direction)[3]) const {
+  const V u = along(light.axes_hi[0], direction), v = along(light.axes_hi[1], direction);
+  const V n = along(light.axes_hi[2], direction);
+  const V q_x = select(flip_x, -u, u), q_y = select(flip_y, -v, v);
+  const V q_n = select(height < V(0), -n, n);
+  const V blur = constant<V>(8 * std::numeric_limits<Scalar<V>>::epsilon());
+  const auto beyond = [&](V q, V side) {  // of the plane through a side, times a length
+    return fma(q, z, -(side * q_n)) / sqrt(fma(side, side, z * z));
+  };
+  const V way = z / max(q_n, constant<V>(smallest_normal<V>));
+  RectangleHit<V> hit;
+  hit.x = max(min(q_x * way, x1), x0);
+  hit.y = max(min(q_y * way, y1), y0);
+  hit.inside = valid && (q_n > -blur) && (beyond(q_x, x0) >= -blur) && (beyond(q_x, x1) <= blur) &&
+               (beyond(q_y, y0) >= -blur) && (beyond(q_y, y1) <= blur);
+  return hit;
+}
+
+/// Whether a place is on a rectangle: a sampled one is within 16 ulp of it.
+template <class V>
+inline Mask<V> on_unit_square(const Place<V>& place) {
+  const V margin = constant<V>(16 * std::numeric_limits<Scalar<V>>::epsilon());
+  return (min(place.s, place.t) >= -margin) && (max(place.s, place.t) <= V(1) + margin) && is_finite(place.s + place.t);
+}
+
+}  // namespace
+}  // namespace hatbox::HATBOX_ISA
