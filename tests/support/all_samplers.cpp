@@ -2,6 +2,7 @@
 
 #include "support/disk_maps.h"
 #include "support/ellipses.h"
+#include "support/rectangles.h"
 
 namespace hatbox::test {
 namespace {
@@ -19,6 +20,10 @@ const std::vector<DiskTable>& tables() {
   return result;
 }
 
+Rectangle scaled(const Rectangle& light, float scale) {
+  return {scaled(light.corner, scale), scaled(light.edge_u, scale), scaled(light.edge_v, scale)};
+}
+
 }  // namespace
 
 std::vector<Sampler> all_samplers(Pose pose, float scale) {
@@ -33,6 +38,12 @@ std::vector<Sampler> all_samplers(Pose pose, float scale) {
     const Ellipse ellipse = test::scaled(ellipse_in(pose, aspect), scale);
     for (const EllipseMap map : all_ellipse_maps) {
       result.emplace_back("ellipse_" + std::to_string(aspect) + "_" + name(map), ellipse, map);
+    }
+  }
+  for (const Shape shape : {Shape::square, Shape::tall}) {
+    const Rectangle rectangle = scaled(rectangle_in(pose, shape), scale);
+    for (const RectangleMap map : all_rectangle_maps) {
+      result.emplace_back(std::string(name(shape)) + "_" + name(map), rectangle, map);
     }
   }
   return result;

@@ -4,6 +4,7 @@
 
 #include <hatbox/hatbox.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -19,6 +20,7 @@ using Grain = std::optional<std::size_t>;
 /// How far a place lies outside of its light, in the place's own units; negative inside.
 inline double outside(const Disk&, double s, double t) { return std::hypot(s, t) - 1; }
 inline double outside(const Ellipse&, double s, double t) { return std::hypot(s, t) - 1; }
+inline double outside(const Rectangle&, double s, double t) { return std::max({-s, s - 1, -t, t - 1}); }
 
 struct Sampler {
   template <class Light, class Map>
