@@ -80,11 +80,11 @@ std::vector<Row> compare(const std::vector<Case>& cases, const Collector& collec
 }
 
 void print_table(const std::vector<Row>& rows) {
-  std::printf("%-7s %-10s %-10s %8s %4s %8s %12s %9s %9s %13s\n", "light", "map", "isa", "threads", "k", "points",
+  std::printf("%-9s %-10s %-10s %8s %4s %8s %12s %9s %9s %13s\n", "light", "map", "isa", "threads", "k", "points",
               "ns/sample", "vs area", "vs copy", "vs reference");
   for (const Row& row : rows) {
     const Case& c = row.measured;
-    std::printf("%-7s %-10s %-10s %8d %4zu %8zu %12.3f %9.2f %9.2f %13.1f\n", c.light.c_str(), c.map.c_str(),
+    std::printf("%-9s %-10s %-10s %8d %4zu %8zu %12.3f %9.2f %9.2f %13.1f\n", c.light.c_str(), c.map.c_str(),
                 c.isa.c_str(), c.threads, c.samples_per_point, c.points, row.ns_per_sample, row.vs_area, row.vs_copy,
                 row.vs_reference);
   }

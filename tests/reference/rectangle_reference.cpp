@@ -40,7 +40,7 @@ RectangleReference::RectangleReference(const Rectangle& light, const Vec3& point
 }
 
 RectangleSample RectangleReference::sample(float u, float v) const {
-  const Vec at = quad_.sample(Quad(u), Quad(v));
+  const Vec at = quad_.local(Quad(u), Quad(v));
   const Quad height = dot(to_corner_, axes_[2]);
   const Vec world = at.x * axes_[0] + at.y * axes_[1] + height * axes_[2];
   return {direction_of(world), static_cast<long double>(Quad((at.x - quad_.x0) / length_[0])),

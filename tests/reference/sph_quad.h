@@ -16,13 +16,18 @@ class SphQuad {
   using Vec = Vector<Real>;
 
   /// The corner, the edges and the shading point.
-  SphQuad(const Vec& s, const Vec& ex, const Vec& ey, const Vec& o) {
+  SphQuad(const Vec& s, const Vec& ex, const Vec& ey, const Vec& shading_point) : o(shading_point) {
     using std::acos;
     const Real exl = norm(ex), eyl = norm(ey);
-    const Vec x = (1 / exl) * ex, y = (1 / eyl) * ey, z = cross(x, y);
+    x = Real(1 / exl) * ex;
+    y = Real(1 / eyl) * ey;
+    z = cross(x, y);
     const Vec d = s - o;
     z0 = dot(d, z);
-    if (z0 > 0) z0 = -z0;
+    if (z0 > 0) {
+      z = Real(-1) * z;
+      z0 = -z0;
+    }
     x0 = dot(d, x);
     y0 = dot(d, y);
     x1 = x0 + exl;
@@ -37,8 +42,14 @@ class SphQuad {
     S = g0 + g1 - k;
   }
 
-  /// In the rectangle's axes, from the shading point; the height is ±z0, less than 0 here.
+  /// A point of the rectangle.
   Vec sample(const Real& u, const Real& v) const {
+    const Vec p = local(u, v);
+    return o + p.x * x + p.y * y + p.z * z;
+  }
+
+  /// The same in the axes of the reference system, from the shading point.
+  Vec local(const Real& u, const Real& v) const {
     using std::cos;
     using std::sin;
     using std::sqrt;
@@ -56,6 +67,7 @@ class SphQuad {
   }
 
   Real S;  // solid angle
+  Vec o, x, y, z;
   Real x0, x1, y0, y1, z0;
 
  private:
