@@ -25,13 +25,13 @@ class RectangleAreaMap {
     out.pdf = ray.pdf;
     out.cosine = -height_ * ray.inverse_distance;
     out.place = place;
-    out.valid = honest(is_finite(u + v) && is_finite(out.distance + ray.inverse_distance), out.pdf);
+    out.valid = honest(ray.clear && is_finite(u + v) && is_finite(out.distance), out.pdf);
     return out;
   }
 
   V pdf_of_place(const Place<V>& place) const {
-    const V density = to(place).pdf;
-    return select(honest(on_unit_square(place), density), density, V(0));
+    const Ray ray = to(place);
+    return select(honest(on_unit_square(place) && ray.clear, ray.pdf), ray.pdf, V(0));
   }
 
   V pdf_of_direction(const V (&direction)[3]) const {
@@ -53,6 +53,7 @@ class RectangleAreaMap {
     V l[3];  // from the shading point to the place, in units
     V distance, inverse_distance;
     V pdf;
+    Mask<V> clear;  // of the place, by more than what underflows when squared
   };
 
   Ray to(const Place<V>& place) const {
@@ -61,6 +62,7 @@ class RectangleAreaMap {
       ray.l[i] = fma(V(light_.edges[0][i]), place.s, fma(V(light_.edges[1][i]), place.t, l_[i]));
     }
     const V distance2 = fma(ray.l[0], ray.l[0], fma(ray.l[1], ray.l[1], ray.l[2] * ray.l[2]));
+    ray.clear = distance2 >= constant<V>(smallest_normal<V>);
     ray.distance = sqrt(distance2);
     ray.inverse_distance = ray.distance * (V(1) / distance2);  // the root and the quotient run side by side
     ray.pdf = distance2 * density_ * ray.distance;

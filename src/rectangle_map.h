@@ -167,8 +167,8 @@ HATBOX_INLINE inline auto SphericalRectangle<V>::y_of(const Shares<V>& v, const 
   const V rise = v.share * e_y * (y0 + y1) / fma(y1, low.r, y0 * high.r);
   const V y = r * fma(line.d2 * (low.inverse_r * high.inverse_r), rise, low.h);
   const V sum_r = r + low.r, sum_y = y + y0;
-  const V step =
-      min(e_y, rise * r * high.inverse_r * sum_r * (V(2) * fma(r, low.r, y * y0)) / fma(sum_r, sum_r, sum_y * sum_y));
+  const V slope = V(2) * fma(r, low.r, y * y0) / fma(sum_r, sum_r, sum_y * sum_y);
+  const V step = min(e_y, rise * r * high.inverse_r * (sum_r * slope));
   return {{select(straddling, across, y0 + step), select(straddling, across - y0, step)}, r};
 }
 
@@ -201,8 +201,8 @@ inline V SphericalRectangle<V>::v_of(V x, V y) const {
   const V across = (y / r - line.low.h) / (line.high.h - line.low.h);
   // `rise` of y over that of y1, in the terms of y_of.
   const V sum_r = r + line.low.r, sum_y = y + y0;
-  const V step_over_rise_r = sum_r * (V(2) * fma(r, line.low.r, y * y0)) / fma(sum_r, sum_r, sum_y * sum_y);
-  const V rise = (y - y0) * line.high.r / (step_over_rise_r * r);
+  const V slope = V(2) * fma(r, line.low.r, y * y0) / fma(sum_r, sum_r, sum_y * sum_y);
+  const V rise = (y - y0) * line.high.r / (sum_r * slope * r);
   const V rise_of_all = strips_.e_y * (y0 + y1) / fma(y1, line.low.r, y0 * line.high.r);
   return select(y0 < V(0), across, rise / rise_of_all);
 }
