@@ -31,6 +31,9 @@ struct RectangleHit {
 // Heights above the plane are taken to be at least this share of the largest coordinate: the squares of smaller ones
 // would underflow. Beside the light its solid angle is proportional to the height there, and above it is 2π.
 inline constexpr double least_height = 0x1p-60;
+// What brings a product of two coordinates, so at least the square of least_height, near the middle of float's range: a
+// product of two such numbers is a normal float, and one division does for both of their inverses.
+inline constexpr double product_scale = 0x1p58;
 
 template <class V>
 struct RectangleLocal {
@@ -83,7 +86,7 @@ HATBOX_INLINE inline RectangleLocal<V>::RectangleLocal(const RectangleLight<V>& 
   flip_y = y.low + y.high < V(0);
   const V largest = max(max(max(abs(x.low), abs(x.high)), max(abs(y.low), abs(y.high))), abs(world_height));
   scale = power_of_two(largest);
-  const V down = V(1) / scale;
+  const V down = inverse_power_of_two(largest);
   x0 = select(flip_x, -x.high, x.low) * down;
   x1 = select(flip_x, -x.low, x.high) * down;
   y0 = select(flip_y, -y.high, y.low) * down;
@@ -115,6 +118,20 @@ inline RectangleHit<V> RectangleLocal<V>::hit(const V (&direction)[3]) const {
   hit.inside = valid && (q_n > -blur) && (beyond(q_x, x0) >= -blur) && (beyond(q_x, x1) <= blur) &&
                (beyond(q_y, y0) >= -blur) && (beyond(q_y, y1) <= blur);
   return hit;
+}
+
+template <class V>
+struct Inverses {
+  V first, second;
+};
+
+/// The inverses of two products of coordinates by one division.
+template <class V>
+HATBOX_INLINE inline Inverses<V> inverses_of_products(V x0, V y0, V x1, V y1) {
+  const V up = constant<V>(product_scale);
+  const V first = x0 * up * y0, second = x1 * up * y1;
+  const V both = up / (first * second);
+  return {second * both, first * both};
 }
 
 /// Whether a place is on a rectangle: a sampled one is within 16 ulp of it.

@@ -37,16 +37,15 @@ struct RectangleLine {
   };
 
   HATBOX_INLINE RectangleLine(const RectangleLocal<V>& local, V x) : d2(fma(x, x, local.z * local.z)) {
-    low = end_at(local.y0);
-    high = end_at(local.y1);
-  }
-
-  HATBOX_INLINE End end_at(V y) const {
-    const V r = sqrt(fma(y, y, d2));
-    const V sum = r + abs(y);
-    const V inverse = V(1) / (r * sum);
-    const V inverse_r = sum * inverse;
-    return {r, inverse_r, y * inverse_r, d2 * inverse};
+    const V r0 = sqrt(fma(local.y0, local.y0, d2)), r1 = sqrt(fma(local.y1, local.y1, d2));
+    const V sum0 = r0 + abs(local.y0), sum1 = r1 + abs(local.y1);
+    const Inverses<V> inverse = inverses_of_products(r0, sum0, r1, sum1);
+    const auto end = [&](V y, V r, V sum, V inverse_product) HATBOX_INLINE {
+      const V inverse_r = sum * inverse_product;
+      return End{r, inverse_r, y * inverse_r, d2 * inverse_product};
+    };
+    low = end(local.y0, r0, sum0, inverse.first);
+    high = end(local.y1, r1, sum1, inverse.second);
   }
 
   V d2;  // squared distance of the line
@@ -72,7 +71,7 @@ class SphericalRectangle {
   };
   struct OnLine {
     Coordinate y;
-    V r;
+    V r, inverse_r;
   };
   HATBOX_INLINE Coordinate x_of(const Shares<V>& u) const;
   HATBOX_INLINE OnLine y_of(const Shares<V>& v, const RectangleLine<V>& line) const;
@@ -98,7 +97,7 @@ template <class V>
 HATBOX_INLINE inline LightSample<V> SphericalRectangle<V>::sample(V u, V v) const {
   const Coordinate x = x_of(shares_of(u, strips_.flip_x));
   const OnLine on_line = y_of(shares_of(v, strips_.flip_y), RectangleLine<V>(strips_, x.value));
-  const V inverse_r = V(1) / on_line.r;
+  const V inverse_r = on_line.inverse_r;
   const V height = select(strips_.beside(), strips_.height, copysign(strips_.z, strips_.height));
   const V along[3] = {select(strips_.flip_x, -x.value, x.value) * inverse_r,
                       select(strips_.flip_y, -on_line.y.value, on_line.y.value) * inverse_r, height * inverse_r};
@@ -126,7 +125,7 @@ HATBOX_INLINE inline auto SphericalRectangle<V>::x_of(const Shares<V>& u) const 
                           pick(left.near.r1, right.near.r1)};
   const SinCos<V> whole = {pick(left.half.ratios.sin, right.half.ratios.sin),
                            pick(left.half.ratios.cos, right.half.ratios.cos)};
-  const V w_b = pick(left.W_far, right.W_far) / strips_.N;
+  const V W_b = pick(left.W_far, right.W_far);
   const V G = pick(left.half.hypotenuse, right.half.hypotenuse);
 
   // Of the two angles the smaller is below an eighth of a turn; the other is what is left of the whole.
@@ -137,13 +136,12 @@ HATBOX_INLINE inline auto SphericalRectangle<V>::x_of(const Shares<V>& u) const 
   const SinCos<V> f = {select(u_smaller, large.sin, small.sin), select(u_smaller, large.cos, small.cos)};
   const V sin_u = select(u_smaller, small.sin, large.sin);
 
-  const V kappa_a = a.kappa(), R_a = a.R();
-  const V k_a = strips_.kappa_f / kappa_a;
-  const V growth = G * sin_u / fma(w_b, f.sin, f.cos);
+  const V kappa_a = a.kappa(), R_a = a.R(), N = strips_.N;
+  const V growth = G * N * sin_u / fma(W_b, f.sin, N * f.cos);
   const V kappa = kappa_a + growth;
   const V g = strips_.kappa_f / kappa;
   const V R = sqrt(fma(strips_.kappa_f, g, kappa) + (strips_.D0 + strips_.D1));
-  const V k = k_a * g, sum = R + R_a;
+  const V k = pick(V(1), strips_.k_right) * g, sum = R + R_a;
   const V numerator = fma(V(1) + k, sum, V(-2) * a.x * (V(1) - k));
   const V step = max(min(growth * numerator / (V(2) * R * sum), pick(left.width, right.width)), V(0));
   const V from_side = max(-strips_.x0, V(0));  // of the foot
@@ -159,7 +157,11 @@ HATBOX_INLINE inline auto SphericalRectangle<V>::y_of(const Shares<V>& v, const 
   const V more = V(1) + abs(low.h);
   const V minus = fma(v.rest, select(straddling, more, low.less_than_one), v.share * high.less_than_one);  // 1 − h
   const V plus = fma(v.rest, select(straddling, low.less_than_one, more), v.share * (V(1) + high.h));      // 1 + h
-  const V r = sqrt(line.d2 / (minus * plus));
+  // r² = d²/(1 − h²), and 1/r beside it.
+  const V up = constant<V>(product_scale);
+  const V up_d2 = up * line.d2, up_cosine2 = up * minus * plus;
+  const V quotient = V(1) / sqrt(up_d2 * up_cosine2);
+  const V r = up_d2 * quotient, inverse_r = up_cosine2 * quotient;
   const V across = min(max(r * fma(v.rest, low.h, v.share * high.h), y0), y1);
 
   // h − h0 = d² rise/(r0 r1). The second step is (y − y0) = (h − h0)/d² · r r0 (y r0 + y0 r)/(y + y0), whose last
@@ -169,7 +171,7 @@ HATBOX_INLINE inline auto SphericalRectangle<V>::y_of(const Shares<V>& v, const 
   const V sum_r = r + low.r, sum_y = y + y0;
   const V slope = V(2) * fma(r, low.r, y * y0) / fma(sum_r, sum_r, sum_y * sum_y);
   const V step = min(e_y, rise * r * high.inverse_r * (sum_r * slope));
-  return {{select(straddling, across, y0 + step), select(straddling, across - y0, step)}, r};
+  return {{select(straddling, across, y0 + step), select(straddling, across - y0, step)}, r, inverse_r};
 }
 
 template <class V>
@@ -189,8 +191,11 @@ inline V SphericalRectangle<V>::u_of(V x) const {
   const StripEdge<V> a = {pick(left.near.x, right.near.x), pick(left.near.r0, right.near.r0),
                           pick(left.near.r1, right.near.r1)};
   const V width = min(abs(x) - a.x, pick(left.width, right.width));
-  const Strip<V> part = strip_between(a, strips_.edge_at(abs(x)), width, pick(left.w_near, right.w_near), strips_.N);
-  return (left.area() + pick(-part.area(), part.area())) / omega_;
+  const StripEnds<V> ends = {a, strips_.edge_at(abs(x)), width, pick(left.w_near, right.w_near)};
+  const V growth = ends.growth(V(1) / (ends.sum0() * ends.sum1()));
+  const V opposite = growth, adjacent = fma(ends.w_near, fma(ends.w_near, strips_.N, growth), strips_.N);
+  const V part = V(2) * right_angles(opposite, adjacent, opposite, adjacent).first.angle;
+  return (left.area() + pick(-part, part)) / omega_;
 }
 
 template <class V>

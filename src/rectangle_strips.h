@@ -15,7 +15,7 @@
 namespace hatbox::HATBOX_ISA {
 namespace {
 
-/// An angle in the first quadrant, from its tangent opposite/adjacent: any two numbers >= 0, not both 0.
+/// An angle in the first quadrant, from the legs of a right triangle: two numbers >= 0, not both 0.
 template <class V>
 struct RightAngle {
   V angle;
@@ -23,18 +23,35 @@ struct RightAngle {
   V hypotenuse;
 };
 
-// With t = tan of half the angle, which is at most one: the quotient that is at most one is squared.
 template <class V>
-HATBOX_INLINE inline RightAngle<V> right_angle(V opposite, V adjacent) {
-  const Mask<V> steep = opposite > adjacent;
-  const V longer = select(steep, opposite, adjacent);
-  const V quotient = select(steep, adjacent, opposite) / longer;
-  const V stretch = sqrt(fma(quotient, quotient, V(1)));
-  const V inverse = V(1) / stretch;
-  const V small = quotient * inverse;
-  const V half_tangent = select(steep, V(1), quotient) / (select(steep, quotient, V(1)) + stretch);
-  return {
-      V(2) * atan_unit(half_tangent), {select(steep, inverse, small), select(steep, small, inverse)}, longer * stretch};
+struct RightAngles {
+  RightAngle<V> first, second;
+};
+
+/// Two of them, which share a division.
+template <class V>
+HATBOX_INLINE inline RightAngles<V> right_angles(V opposite0, V adjacent0, V opposite1, V adjacent1) {
+  struct Scaled {  // to a longer leg in [1, 2)
+    V opposite, adjacent, hypotenuse, up;
+    V sum;  // of adjacent and hypotenuse: the tangent of half the angle is opposite/sum
+  };
+  const auto scaled = [](V opposite, V adjacent) HATBOX_INLINE {
+    const V longer = max(opposite, adjacent), down = inverse_power_of_two(longer);
+    Scaled s = {opposite * down, adjacent * down, V(0), power_of_two(longer), V(0)};
+    s.hypotenuse = sqrt(fma(s.opposite, s.opposite, s.adjacent * s.adjacent));
+    s.sum = s.adjacent + s.hypotenuse;
+    return s;
+  };
+  const auto angle = [](const Scaled& s, V inverse) HATBOX_INLINE {  // of hypotenuse · sum
+    const V inverse_hypotenuse = s.sum * inverse;
+    return RightAngle<V>{V(2) * atan_unit(s.opposite * (s.hypotenuse * inverse)),
+                         {s.opposite * inverse_hypotenuse, s.adjacent * inverse_hypotenuse},
+                         s.hypotenuse * s.up};
+  };
+  const Scaled s0 = scaled(opposite0, adjacent0), s1 = scaled(opposite1, adjacent1);
+  const V product0 = s0.hypotenuse * s0.sum, product1 = s1.hypotenuse * s1.sum;
+  const V both = V(1) / (product0 * product1);
+  return {angle(s0, product1 * both), angle(s1, product0 * both)};
 }
 
 /// What there is to know at one x >= 0.
@@ -48,15 +65,6 @@ struct StripEdge {
   V R() const { return r0 + r1; }
 };
 
-/// κ_b − κ_a. The width is given, as b.x − a.x would lose it far away.
-template <class V>
-HATBOX_INLINE inline V kappa_growth(const StripEdge<V>& a, const StripEdge<V>& b, V width) {
-  const V rho0 = a.rho0(), rho1 = b.rho1();
-  const V sum0 = a.r0 + b.r0, sum1 = a.r1 + b.r1;
-  const V steepness = (a.x + b.x) * fma(rho0, sum0, rho1 * sum1) / (sum0 * sum1);
-  return width * (rho0 + rho1 + steepness);
-}
-
 /// The part of the rectangle between two lines x = a and x = b, 0 <= a <= b.
 template <class V>
 struct Strip {
@@ -68,11 +76,36 @@ struct Strip {
   V area() const { return V(2) * half.angle; }
 };
 
+/// What a strip is made of. Its width is given, as far.x − near.x would lose it far away.
 template <class V>
-HATBOX_INLINE inline Strip<V> strip_between(const StripEdge<V>& a, const StripEdge<V>& b, V width, V w_a, V N) {
-  const V growth = kappa_growth(a, b, width);
-  const V W_b = fma(w_a, N, growth);
-  return {a, width, w_a, W_b, right_angle(growth, fma(w_a, W_b, N))};
+struct StripEnds {
+  StripEdge<V> near, far;
+  V width;
+  V w_near;
+
+  V sum0() const { return near.r0 + far.r0; }
+  V sum1() const { return near.r1 + far.r1; }
+  /// κ_b − κ_a, given 1/(sum0 sum1).
+  V growth(V inverse) const {
+    const V rho0 = near.rho0(), rho1 = far.rho1();
+    return width * (rho0 + rho1 + (near.x + far.x) * (fma(rho0, sum0(), rho1 * sum1()) * inverse));
+  }
+};
+
+template <class V>
+struct StripPair {
+  Strip<V> first, second;
+};
+
+/// Two strips, which share divisions.
+template <class V>
+HATBOX_INLINE inline StripPair<V> strips_between(const StripEnds<V>& first, const StripEnds<V>& second, V N) {
+  const Inverses<V> inverse = inverses_of_products(first.sum0(), first.sum1(), second.sum0(), second.sum1());
+  const V growth0 = first.growth(inverse.first), growth1 = second.growth(inverse.second);
+  const V W0 = fma(first.w_near, N, growth0), W1 = fma(second.w_near, N, growth1);
+  const RightAngles<V> half = right_angles(growth0, fma(first.w_near, W0, N), growth1, fma(second.w_near, W1, N));
+  return {{first.near, first.width, first.w_near, W0, half.first},
+          {second.near, second.width, second.w_near, W1, half.second}};
 }
 
 template <class V>
@@ -97,6 +130,7 @@ struct RectangleStrips : RectangleLocal<V> {
 
   V D0, D1, N;
   V kappa_f;       // κ at the foot
+  V k_right;       // κ_f/κ where the right strip begins; where the left one does it is 1
   Strip<V> right;  // from max(x0, 0) to x1 …
   Strip<V> left;   // … and from the foot to −x0, nothing if x0 >= 0
 };
@@ -120,10 +154,12 @@ HATBOX_INLINE inline RectangleStrips<V>::RectangleStrips(const RectangleLight<V>
   const StripEdge<V> at_x0 = edge_at(abs(l.x0)), at_x1 = edge_at(l.x1);
   const StripEdge<V> a = {select(straddling, V(0), l.x0), select(straddling, foot.r0, at_x0.r0),
                           select(straddling, foot.r1, at_x0.r1)};
-  const V kappa_a = a.kappa();
-  const V w_a = fma(V(2) * a.x, a.R() * kappa_a / ((kappa_a + kappa_f) * N), w_f);
-  right = strip_between(a, at_x1, select(straddling, l.x1, l.e_x), w_a, N);
-  left = strip_between(foot, at_x0, select(straddling, -l.x0, V(0)), w_f, N);
+  k_right = kappa_f / a.kappa();
+  const V w_a = fma(V(2) * a.x, a.R() / (N + k_right * N), w_f);
+  const StripPair<V> strips = strips_between<V>({a, at_x1, select(straddling, l.x1, l.e_x), w_a},
+                                                {foot, at_x0, select(straddling, -l.x0, V(0)), w_f}, N);
+  right = strips.first;
+  left = strips.second;
 }
 
 template <class V>

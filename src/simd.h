@@ -91,6 +91,12 @@ inline float power_of_two(float x) {  // at or next below |x|; 0 for a subnormal
 inline double power_of_two(double x) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & 0x7ff0000000000000u);
 }
+inline float inverse_power_of_two(float x) {  // 1/power_of_two(x)
+  return 0.5f * std::bit_cast<float>(~std::bit_cast<std::uint32_t>(x) & 0x7f800000u);
+}
+inline double inverse_power_of_two(double x) {
+  return 0.5 * std::bit_cast<double>(~std::bit_cast<std::uint64_t>(x) & 0x7ff0000000000000u);
+}
 template <class T>
 inline IfScalar<T> load(const T* from, T) {
   return *from;
@@ -142,6 +148,10 @@ inline Packet max(const Packet& x, const Packet& y) { return select(x > y, x, y)
 inline Packet copysign(const Packet& magnitude, const Packet& sign) { return magnitude | (sign & Packet(-0.0f)); }
 inline bool any(const PacketMask& mask) { return xsimd::any(mask); }
 inline Packet power_of_two(const Packet& x) { return x & constant<Packet>(infinity<Packet>); }
+inline Packet inverse_power_of_two(const Packet& x) {
+  const Packet exponent(std::numeric_limits<float>::infinity());
+  return Packet(0.5f) * ((x & exponent) ^ exponent);
+}
 inline Packet load(const float* from, const Packet&) { return Packet::load_unaligned(from); }
 inline void store(float* to, const Packet& x) { x.store_unaligned(to); }
 #if defined(__AVX512F__)

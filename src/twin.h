@@ -81,6 +81,10 @@ inline Twin<V> power_of_two(const Twin<V>& x) {
   return {power_of_two(x.first), power_of_two(x.second)};
 }
 template <class V>
+inline Twin<V> inverse_power_of_two(const Twin<V>& x) {
+  return {inverse_power_of_two(x.first), inverse_power_of_two(x.second)};
+}
+template <class V>
 inline Twin<V> fma(const Twin<V>& x, const Twin<V>& y, const Twin<V>& z) {
   return {fma(x.first, y.first, z.first), fma(x.second, y.second, z.second)};
 }
