@@ -1,7 +1,7 @@
 // The public calls for disks.
 #include "calls.h"
-#include "disk_constants.h"
 #include "dispatch.h"
+#include "light_constants.h"
 
 #include <hatbox/disk.h>
 
@@ -33,7 +33,7 @@ std::string_view check(const Disk& light) noexcept {
 
 DiskConstants ready(const Disk& light) {
   const std::string_view problem = check(light);
-  if (problem.empty()) return disk_constants<float>(light);
+  if (problem.empty()) return constants_of<float>(light);
   throw std::invalid_argument(std::string(problem) + "; center " + to_string(light.center) + ", normal " +
                               to_string(light.normal) + ", radius " + std::to_string(light.radius));
 }

@@ -1,4 +1,4 @@
-#include "disk_constants.h"
+#include "light_constants.h"
 
 #include "light_frame.h"
 
@@ -23,7 +23,7 @@ Frame frame_of(Double3 n) {
 }  // namespace
 
 template <class T>
-DiskConstantsOf<T> disk_constants(const Disk& light) {
+DiskConstantsOf<T> constants_of(const Disk& light) {
   const double nx = light.normal.x, ny = light.normal.y, nz = light.normal.z;
   const double length = std::sqrt(nx * nx + ny * ny + nz * nz);
   const double to_unit = 1.0 / length, to_radii = 1.0 / double{light.radius};
@@ -39,7 +39,7 @@ DiskConstantsOf<T> disk_constants(const Disk& light) {
   return constants;
 }
 
-template DiskConstantsOf<float> disk_constants(const Disk& light);
-template DiskConstantsOf<double> disk_constants(const Disk& light);
+template DiskConstantsOf<float> constants_of(const Disk& light);
+template DiskConstantsOf<double> constants_of(const Disk& light);
 
 }  // namespace hatbox

@@ -1,8 +1,8 @@
 // The public calls for disks with a DiskTable.
 #include "calls.h"
-#include "disk_constants.h"
 #include "dispatch.h"
 #include "eta_rows.h"
+#include "light_constants.h"
 
 #include <hatbox/disk_table.h>
 

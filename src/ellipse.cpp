@@ -1,7 +1,7 @@
 // The public calls for ellipses.
 #include "calls.h"
 #include "dispatch.h"
-#include "ellipse_constants.h"
+#include "light_constants.h"
 #include "light_frame.h"
 
 #include <hatbox/ellipse.h>
@@ -14,14 +14,6 @@
 namespace hatbox {
 namespace {
 
-/// The constants of a light that passes `check`; throws otherwise.
-EllipseConstants ready(const Ellipse& light) {
-  const std::string_view problem = check(light);
-  if (problem.empty()) return ellipse_constants<float>(light);
-  throw std::invalid_argument(std::string(problem) + "; center " + to_string(light.center) + ", semi_axis_u " +
-                              to_string(light.semi_axis_u) + ", semi_axis_v " + to_string(light.semi_axis_v));
-}
-
 const MapKernels<EllipseConstants>& kernels_of(EllipseMap map) {
   const auto index = static_cast<std::size_t>(map);
   if (index >= ellipse_map_count) throw std::invalid_argument("map: there is no EllipseMap " + std::to_string(index));
@@ -29,6 +21,13 @@ const MapKernels<EllipseConstants>& kernels_of(EllipseMap map) {
 }
 
 }  // namespace
+
+EllipseConstants ready(const Ellipse& light) {
+  const std::string_view problem = check(light);
+  if (problem.empty()) return constants_of<float>(light);
+  throw std::invalid_argument(std::string(problem) + "; center " + to_string(light.center) + ", semi_axis_u " +
+                              to_string(light.semi_axis_u) + ", semi_axis_v " + to_string(light.semi_axis_v));
+}
 
 std::string_view check(const Ellipse& light) noexcept {
   constexpr double longest = std::numeric_limits<float>::max(), least_ratio = 1e-6, largest_cosine = 1e-4;

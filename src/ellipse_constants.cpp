@@ -1,4 +1,4 @@
-#include "ellipse_constants.h"
+#include "light_constants.h"
 
 #include "light_frame.h"
 
@@ -54,7 +54,7 @@ void set_span(EllipseConstantsOf<T>& constants, int index, const Double3& unit, 
 }  // namespace
 
 template <class T>
-EllipseConstantsOf<T> ellipse_constants(const Ellipse& light) {
+EllipseConstantsOf<T> constants_of(const Ellipse& light) {
   const Frame frame = frame_of(light);
   const double inverse_radius = 1 / frame.longer.length, ratio = frame.shorter.length * inverse_radius;
 
@@ -78,7 +78,7 @@ EllipseConstantsOf<T> ellipse_constants(const Ellipse& light) {
   return constants;
 }
 
-template EllipseConstantsOf<float> ellipse_constants(const Ellipse& light);
-template EllipseConstantsOf<double> ellipse_constants(const Ellipse& light);
+template EllipseConstantsOf<float> constants_of(const Ellipse& light);
+template EllipseConstantsOf<double> constants_of(const Ellipse& light);
 
 }  // namespace hatbox

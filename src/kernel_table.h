@@ -2,50 +2,11 @@
 // kernels.cpp is compiled once per instruction set and exports one KernelTable each; dispatch.cpp picks one.
 #pragma once
 
-#include "rectangle_constants.h"
+#include "light_constants.h"
 
 #include <cstddef>
 
 namespace hatbox {
-
-/// A disk made ready for the kernels, once a call and in double (disk_constants.h). T is float; double for the tests
-/// that run the kernels' text in double.
-template <class T>
-struct DiskConstantsOf {
-  T center[3];      // world units
-  T axes_hi[3][3];  // rows axis_u, axis_v, normal, each unit vector / radius, rounded to T …
-  T axes_lo[3][3];  // … and what the rounding left
-  T axes[3][3];     // the unit vectors, for the way back to world space
-  T radius;
-  T inverse_radius;
-};
-using DiskConstants = DiskConstantsOf<float>;
-
-/// A disk with the table that its maps are read from (eta_table.h).
-template <class T>
-struct TabulatedDiskOf : DiskConstantsOf<T> {
-  const float* coefficients;  // resolution² of them, for T = double too
-  std::size_t resolution;
-};
-using TabulatedDisk = TabulatedDiskOf<float>;
-
-/// An ellipse made ready for the kernels (ellipse_constants.h). Lengths are in units of its longer semi-axis.
-template <class T>
-struct EllipseConstantsOf {
-  T center[3];      // world units
-  T axes_hi[3][3];  // rows along the longer and the shorter semi-axis, unit vector / its length, and the unit normal /
-  T axes_lo[3][3];  // the longer's length, rounded to T and what the rounding left
-  T axes[3][3];     // the unit vectors, for the way back to world space
-  T spans[2][3];    // semi_axis_u and semi_axis_v, for places
-  T inverse_spans[2][3];           // the same divided by their squared lengths
-  T ratio, ratio2, inverse_ratio;  // r, the shorter semi-axis over the longer; r², 1/r
-  T flattening, flattening2;       // 1 − r² and its square
-  T area;
-  T radius;  // the longer semi-axis, world units
-  T inverse_radius;
-  bool swapped;  // semi_axis_v is the longer one
-};
-using EllipseConstants = EllipseConstantsOf<float>;
 
 /// One call of `sample`: n points, k samples each, outputs that may be null. Light is what its kernels know of the
 /// light, such as DiskConstants.
@@ -92,6 +53,7 @@ struct MapKernels {
 inline constexpr std::size_t disk_map_count = 6;
 inline constexpr std::size_t ellipse_map_count = 3;
 inline constexpr std::size_t rectangle_map_count = 2;
+inline constexpr std::size_t triangle_map_count = 2;
 
 /// One call of an elliptic integral: the arrays of its arguments, in the order of the call.
 struct CarlsonJob {
@@ -116,6 +78,8 @@ struct KernelTable {
   QueryKernel<EllipseConstants> ellipse_solid_angle;
   MapKernels<RectangleConstants> rectangle[rectangle_map_count];  // in the order of RectangleMap
   QueryKernel<RectangleConstants> rectangle_solid_angle;
+  MapKernels<TriangleConstants> triangle[triangle_map_count];  // in the order of TriangleMap
+  QueryKernel<TriangleConstants> triangle_solid_angle;
   CarlsonKernels carlson;
   // residual[i] = x[i]·y[i] − round(x[i]·y[i]): how the tests see that `fma` is fused. n is a multiple of lanes.
   void (*product_residual)(const float* x, const float* y, float* residual, std::size_t n);

@@ -25,6 +25,8 @@ constexpr KernelTable table = {
     .ellipse_solid_angle = solid_angle<EllipseCone, EllipseConstants>,
     .rectangle = {kernels_of<RectangleArea, RectangleConstants>, kernels_of<RectangleSpherical, RectangleConstants>},
     .rectangle_solid_angle = solid_angle<RectangleStrips, RectangleConstants>,
+    .triangle = {kernels_of<TriangleArea, TriangleConstants>, kernels_of<TriangleSpherical, TriangleConstants>},
+    .triangle_solid_angle = solid_angle<TriangleView, TriangleConstants>,
     .carlson = {rf_kernel, rc_kernel, rd_kernel, rj_kernel, ellint_f_kernel, ellint_e_kernel, ellint_pi_kernel},
     .product_residual = product_residual,
 };

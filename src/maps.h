@@ -10,6 +10,8 @@
 #include "radial_map.h"
 #include "rectangle_area_map.h"
 #include "rectangle_map.h"
+#include "triangle_area_map.h"
+#include "triangle_map.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {
@@ -42,6 +44,11 @@ template <class V>
 using RectangleArea = RectangleAreaMap<V>;
 template <class V>
 using RectangleSpherical = SphericalRectangle<V>;
+
+template <class V>
+using TriangleArea = TriangleAreaMap<V>;
+template <class V>
+using TriangleSpherical = TriangleMapOf<V>;
 
 }  // namespace
 }  // namespace hatbox::HATBOX_ISA

@@ -1,8 +1,8 @@
 // The public calls for rectangles.
 #include "calls.h"
 #include "dispatch.h"
+#include "light_constants.h"
 #include "light_frame.h"
-#include "rectangle_constants.h"
 
 #include <hatbox/rectangle.h>
 
@@ -20,14 +20,6 @@ bool too_short(const Vec3& edge) { return length(edge) < static_cast<double>(std
 
 bool too_long(const Vec3& edge) { return length(edge) > static_cast<double>(std::numeric_limits<float>::max()); }
 
-/// The constants of a light that passes `check`; throws otherwise.
-RectangleConstants ready(const Rectangle& light) {
-  const std::string_view problem = check(light);
-  if (problem.empty()) return rectangle_constants<float>(light);
-  throw std::invalid_argument(std::string(problem) + "; corner " + to_string(light.corner) + ", edge_u " +
-                              to_string(light.edge_u) + ", edge_v " + to_string(light.edge_v));
-}
-
 const MapKernels<RectangleConstants>& kernels_of(RectangleMap map) {
   const auto index = static_cast<std::size_t>(map);
   if (index >= rectangle_map_count) {
@@ -37,6 +29,13 @@ const MapKernels<RectangleConstants>& kernels_of(RectangleMap map) {
 }
 
 }  // namespace
+
+RectangleConstants ready(const Rectangle& light) {
+  const std::string_view problem = check(light);
+  if (problem.empty()) return constants_of<float>(light);
+  throw std::invalid_argument(std::string(problem) + "; corner " + to_string(light.corner) + ", edge_u " +
+                              to_string(light.edge_u) + ", edge_v " + to_string(light.edge_v));
+}
 
 std::string_view check(const Rectangle& light) noexcept {
   if (!is_finite(light.corner)) return "light.corner is not finite";

@@ -1,4 +1,4 @@
-#include "rectangle_constants.h"
+#include "light_constants.h"
 
 #include "light_frame.h"
 
@@ -27,7 +27,7 @@ Double3 without(const Double3& p, const Double3& axis) {
 }  // namespace
 
 template <class T>
-RectangleConstantsOf<T> rectangle_constants(const Rectangle& light) {
+RectangleConstantsOf<T> constants_of(const Rectangle& light) {
   const Double3 u = in_double(light.edge_u), v = in_double(light.edge_v);
   Edge edges[2] = {edge_of(u), edge_of(v)};
   if (edges[0].length >= edges[1].length) {
@@ -60,7 +60,7 @@ RectangleConstantsOf<T> rectangle_constants(const Rectangle& light) {
   return constants;
 }
 
-template RectangleConstantsOf<float> rectangle_constants(const Rectangle& light);
-template RectangleConstantsOf<double> rectangle_constants(const Rectangle& light);
+template RectangleConstantsOf<float> constants_of(const Rectangle& light);
+template RectangleConstantsOf<double> constants_of(const Rectangle& light);
 
 }  // namespace hatbox

@@ -9,8 +9,8 @@
 #pragma once
 
 #include "compensated.h"
+#include "light_constants.h"
 #include "light_sample.h"
-#include "rectangle_constants.h"
 #include "unit_square.h"
 
 #include <limits>

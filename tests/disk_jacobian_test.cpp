@@ -2,7 +2,7 @@
 #define HATBOX_ISA in_double
 #include "maps.h"
 
-#include "disk_constants.h"
+#include "light_constants.h"
 #include "support/jacobian.h"
 #include "support/statistics.h"
 #include "support/workloads.h"
@@ -25,7 +25,7 @@ template <template <class> class Map>
 std::vector<double> jacobian_errors(Pose pose, double (*largest_step)(double, double) = jacobian_step,
                                     std::size_t points_each = 334) {
   constexpr int grid = 32;
-  const DiskConstantsOf<double> light = disk_constants<double>(disk_in(pose));
+  const DiskConstantsOf<double> light = constants_of<double>(disk_in(pose));
   std::vector<double> errors;
   for (const Workload workload : {Workload::w1, Workload::w2, Workload::w3}) {
     const PointArrays points = make_points(workload, pose, points_each);

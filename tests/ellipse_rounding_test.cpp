@@ -3,7 +3,7 @@
 #define HATBOX_ISA in_double
 #include "maps.h"
 
-#include "ellipse_constants.h"
+#include "light_constants.h"
 #include "support/conditioning.h"
 #include "support/ellipses.h"
 #include "support/isa_fixture.h"
@@ -23,7 +23,7 @@ using reference::Vector;
 
 template <template <class> class Map>
 Vector<double> in_double_direction(const Ellipse& light, const Vec3& point, float u, float v) {
-  const EllipseConstantsOf<double> constants = ellipse_constants<double>(light);
+  const EllipseConstantsOf<double> constants = constants_of<double>(light);
   const Map<double> map(constants, point.x, point.y, point.z);
   const auto sample = map.sample(u, v);
   return {sample.direction[0], sample.direction[1], sample.direction[2]};

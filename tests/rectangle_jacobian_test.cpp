@@ -4,7 +4,7 @@
 #define HATBOX_ISA rectangle_in_double
 #include "maps.h"
 
-#include "rectangle_constants.h"
+#include "light_constants.h"
 #include "support/rectangles.h"
 #include "support/statistics.h"
 #include "support/workloads.h"
@@ -73,7 +73,7 @@ double jacobian_error(const Map& map, double area, double u, double v) {
 template <template <class> class Map>
 void expect_honest(Pose pose, Shape shape) {
   constexpr int grid = 32;
-  const auto light = rectangle_constants<double>(rectangle_in(pose, shape));
+  const auto light = constants_of<double>(rectangle_in(pose, shape));
   const double area = light.length_hi[0] * light.length_hi[1];
   for (const Workload workload : all_workloads) {
     std::vector<double> errors;

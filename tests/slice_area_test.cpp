@@ -3,7 +3,7 @@
 #include "slice_area.h"
 
 #include "disk_cone.h"
-#include "disk_constants.h"
+#include "light_constants.h"
 #include "reference/spherical_ellipse.h"
 #include "support/random.h"
 #include "support/statistics.h"
@@ -29,7 +29,7 @@ std::vector<DiskCone<double>> cones(const DiskConstantsOf<double>& light, Worklo
   return result;
 }
 
-const DiskConstantsOf<double> unit_disk = disk_constants<double>(disk_in(Pose::canonical));
+const DiskConstantsOf<double> unit_disk = constants_of<double>(disk_in(Pose::canonical));
 
 /// Also next to the end of the minor axis, where it must not cancel: 1e-6 is the third power of ζ.
 TEST(SliceArea, IsTheReferences) {

@@ -9,3 +9,4 @@
 #include <hatbox/isa.h>
 #include <hatbox/lights.h>
 #include <hatbox/rectangle.h>
+#include <hatbox/triangle.h>

@@ -37,4 +37,11 @@ struct Rectangle {
   Vec3 edge_v;  ///< from the corner along the other
 };
 
+/// A flat triangle. It emits to both sides; the cosine is > 0 on the side that (b − a) × (c − a) points to.
+///
+/// Valid if all numbers are finite and it is at least 2^-24 times as high as its longest side is long.
+struct Triangle {
+  Vec3 a, b, c;  ///< world space
+};
+
 }  // namespace hatbox

@@ -3,6 +3,7 @@
 #include "support/disk_maps.h"
 #include "support/ellipses.h"
 #include "support/rectangles.h"
+#include "support/triangle_lights.h"
 
 namespace hatbox::test {
 namespace {
@@ -22,6 +23,10 @@ const std::vector<DiskTable>& tables() {
 
 Rectangle scaled(const Rectangle& light, float scale) {
   return {scaled(light.corner, scale), scaled(light.edge_u, scale), scaled(light.edge_v, scale)};
+}
+
+Triangle scaled(const Triangle& light, float scale) {
+  return {scaled(light.a, scale), scaled(light.b, scale), scaled(light.c, scale)};
 }
 
 }  // namespace
@@ -45,6 +50,10 @@ std::vector<Sampler> all_samplers(Pose pose, float scale) {
     for (const RectangleMap map : all_rectangle_maps) {
       result.emplace_back(std::string(name(shape)) + "_" + name(map), rectangle, map);
     }
+  }
+  const Triangle triangle = scaled(cornered_triangle_in(pose), scale);
+  for (const TriangleMap map : all_triangle_maps) {
+    result.emplace_back(std::string("triangle_") + name(map), triangle, map);
   }
   return result;
 }

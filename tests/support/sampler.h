@@ -22,6 +22,8 @@ inline double outside(const Disk&, double s, double t) { return std::hypot(s, t)
 inline double outside(const Ellipse&, double s, double t) { return std::hypot(s, t) - 1; }
 inline double outside(const Rectangle&, double s, double t) { return std::max({-s, s - 1, -t, t - 1}); }
 
+inline double outside(const Triangle&, double s, double t) { return std::max({-s, -t, s + t - 1}); }
+
 struct Sampler {
   template <class Light, class Map>
   Sampler(std::string sampler_name, const Light& light, const Map& map);

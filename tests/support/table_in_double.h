@@ -7,8 +7,8 @@
 #define HATBOX_ISA in_double
 #include "maps.h"
 
-#include "disk_constants.h"
 #include "eta_rows.h"
+#include "light_constants.h"
 #include "support/workloads.h"
 
 #include <memory>
@@ -19,7 +19,7 @@ namespace hatbox::test {
 class TableInDouble {
  public:
   TableInDouble(Pose pose, std::size_t resolution)
-      : rows_(make_eta_rows(resolution)), light_{disk_constants<double>(disk_in(pose)), rows_.get(), resolution} {}
+      : rows_(make_eta_rows(resolution)), light_{constants_of<double>(disk_in(pose)), rows_.get(), resolution} {}
 
   const TabulatedDiskOf<double>& light() const { return light_; }
 

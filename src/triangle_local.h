@@ -1,0 +1,107 @@
+// A triangle as a shading point sees it: its vertices in its own plane, from the foot of the shading point, and what
+// each of its sides spans with the shading point.
+//
+// All that follows is made of heights, lengths and the cross products of neighbouring vertices: twice the area of the
+// triangle of the foot and a side, which cancels where the foot is near the side's line. Vertices are carried as
+// unevaluated sums until these products are formed, so that they keep what the inputs determine.
+#pragma once
+
+#include "compensated.h"
+#include "kernel_table.h"
+#include "light_sample.h"
+
+namespace hatbox::HATBOX_ISA {
+namespace {
+
+template <class V>
+using TriangleLight = TriangleConstantsOf<Scalar<V>>;
+
+/// Any triangle in a plane that is not the shading point's; the z axis points from the shading point to the plane.
+/// Vertices go counterclockwise about it. Side i lies opposite vertex i and runs from vertex i + 1 to i + 2 (mod 3).
+template <class V>
+struct PlaneTriangle {
+  V x[3], y[3];            // vertices
+  V z;                     // the plane's, > 0
+  V side_x[3], side_y[3];  //
+  V length[3];             // of the sides
+  V cross[3];              // of the vertices a side runs from and to
+  V doubled_area;
+};
+
+// Heights above the plane are taken to be at least this share of the triangle's size: less would overflow quotients.
+// Beside the light its solid angle is proportional to the height there, and above it is 2π.
+inline constexpr double least_triangle_height = 0x1p-90;
+
+/// √(x² + y²), also where the squares would underflow.
+template <class V>
+HATBOX_INLINE inline V safe_length(V x, V y) {
+  const Mask<V> tiny = max(abs(x), abs(y)) < constant<V>(0x1p-40);
+  const V up = select(tiny, constant<V>(0x1p64), V(1)), down = select(tiny, constant<V>(0x1p-64), V(1));
+  const V scaled_x = x * up, scaled_y = y * up;
+  return sqrt(fma(scaled_x, scaled_x, scaled_y * scaled_y)) * down;
+}
+
+template <class V>
+HATBOX_INLINE inline V safe_length(V x, V y, V z) {
+  const Mask<V> tiny = max(max(abs(x), abs(y)), abs(z)) < constant<V>(0x1p-40);
+  const V up = select(tiny, constant<V>(0x1p64), V(1)), down = select(tiny, constant<V>(0x1p-64), V(1));
+  const V scaled_x = x * up, scaled_y = y * up, scaled_z = z * up;
+  return sqrt(fma(scaled_x, scaled_x, fma(scaled_y, scaled_y, scaled_z * scaled_z))) * down;
+}
+
+/// x + y, rounded to twice the precision.
+template <class V>
+HATBOX_INLINE inline Pair<V> sum(const Pair<V>& x, const Pair<V>& y) {
+  const Pair<V> high = two_sum(x.high, y.high);
+  return two_sum(high.high, high.low + (x.low + y.low));
+}
+
+/// p · s − q · r, in twice the precision and then rounded (Kahan's difference of products, with the low parts).
+template <class V>
+HATBOX_INLINE inline V determinant(const Pair<V>& p, const Pair<V>& q, const Pair<V>& r, const Pair<V>& s) {
+  const Pair<V> qr = two_product(q.high, r.high);
+  const V high = fma(p.high, s.high, -qr.high) - qr.low;
+  return high + (fma(p.high, s.low, p.low * s.high) - fma(q.high, r.low, q.low * r.high));
+}
+
+template <class V>
+struct TriangleLocal {
+  HATBOX_INLINE TriangleLocal(const TriangleLight<V>& light, V px, V py, V pz) {
+    const Pair<V> l[3] = {two_sum(V(light.vertex[0]), -px), two_sum(V(light.vertex[1]), -py),
+                          two_sum(V(light.vertex[2]), -pz)};
+    const auto along_axis = [&](int i) {
+      const Pair<V> d = dot_pair(l, light.axes_hi[i], light.axes_lo[i]);
+      return two_sum(d.high, d.low);
+    };
+    const auto side = [&](int i, int axis) { return Pair<V>{V(light.side_hi[i][axis]), V(light.side_lo[i][axis])}; };
+    const auto minus = [](const Pair<V>& p) { return Pair<V>{-p.high, -p.low}; };
+    const Pair<V> a_x = along_axis(0), a_y = along_axis(1), n = along_axis(2);
+    const Pair<V> b_x = sum(a_x, side(2, 0));
+    const Pair<V> c_x = sum(a_x, minus(side(1, 0))), c_y = sum(a_y, minus(side(1, 1)));
+    in_plane.x[0] = a_x.high;
+    in_plane.x[1] = b_x.high;
+    in_plane.x[2] = c_x.high;
+    in_plane.y[0] = in_plane.y[1] = a_y.high;  // the x axis lies along side 2
+    in_plane.y[2] = c_y.high;
+    in_plane.cross[0] = determinant(b_x, a_y, side(0, 0), side(0, 1));
+    in_plane.cross[1] = determinant(a_x, a_y, side(1, 0), side(1, 1));
+    in_plane.cross[2] = -(a_y.high * V(light.side_hi[2][0]));
+    for (int i = 0; i < 3; ++i) {
+      in_plane.side_x[i] = V(light.side_hi[i][0]);
+      in_plane.side_y[i] = V(light.side_hi[i][1]);
+      in_plane.length[i] = V(light.length[i]);
+    }
+    in_plane.doubled_area = V(light.doubled_area);
+    const V height = abs(n.high);
+    in_plane.z = max(height, constant<V>(least_triangle_height));
+    above = n.high < V(0);
+    valid = (height > V(0)) && is_finite(a_x.high + a_y.high + n.high);
+  }
+
+  PlaneTriangle<V> in_plane;
+  Mask<V> above;  // the shading point lies on the side of the normal
+  Mask<V> valid;  // false in the light's plane and for non-finite points; the rest is then of no use
+};
+
+}  // namespace
+}  // namespace hatbox::HATBOX_ISA

@@ -1,0 +1,95 @@
+// TriangleMap::spherical: uniform in the solid angle of a triangle, between world space and spherical_triangle.h.
+#pragma once
+
+#include "spherical_triangle.h"
+
+namespace hatbox::HATBOX_ISA {
+namespace {
+
+/// A triangle light from a shading point: what its maps and its solid angle need.
+template <class V>
+struct TriangleView {
+  HATBOX_INLINE TriangleView(const TriangleLight<V>& triangle, V x, V y, V z)
+      : TriangleView(triangle, TriangleLocal<V>(triangle, x, y, z)) {}
+
+  struct Hit {
+    V direction[3];  // in the plane's axes, z towards the plane
+    Mask<V> inside;
+  };
+
+  // A sliver is not much wider than the grain of float directions: its plane's axes must not add to that.
+  Hit hit(const V (&direction)[3]) const {
+    const auto component = [&](int i) { return dot(direction, light.axes_hi[i], light.axes_lo[i]) * V(light.unit); };
+    const V n = component(2);
+    Hit hit = {{component(0), component(1), select(above, -n, n)}, valid};
+    hit.inside = valid && spherical.contains(hit.direction);
+    return hit;
+  }
+
+  const TriangleLight<V>& light;
+  SphericalTriangle<V> spherical;
+  Mask<V> above;
+  Mask<V> valid;
+
+ private:
+  HATBOX_INLINE TriangleView(const TriangleLight<V>& triangle, const TriangleLocal<V>& local)
+      : light(triangle), spherical(local.in_plane), above(local.above), valid(local.valid) {}
+};
+
+template <class V>
+inline V solid_angle_of(const TriangleView<V>& view) {
+  return view.spherical.solid_angle();
+}
+
+/// Whether a place is on a triangle: a sampled one is within 16 ulp of it.
+template <class V>
+inline Mask<V> on_unit_triangle(const Place<V>& place) {
+  const V margin = constant<V>(16 * std::numeric_limits<Scalar<V>>::epsilon());
+  return (min(place.s, place.t) >= -margin) && (max(place.s, place.t) <= V(1) + margin) &&
+         (place.s + place.t <= V(1) + margin);
+}
+
+template <class V>
+class TriangleMapOf {
+ public:
+  HATBOX_INLINE TriangleMapOf(const TriangleLight<V>& light, V x, V y, V z) : view_(light, x, y, z) {}
+
+  HATBOX_INLINE LightSample<V> sample(V u, V v) const {
+    const TriangleLight<V>& light = view_.light;
+    const TrianglePoint<V> point = view_.spherical.sample(u, v);
+    const V n = select(view_.above, -point.direction[2], point.direction[2]);
+    LightSample<V> out;
+    for (int i = 0; i < 3; ++i) {
+      out.direction[i] = fma(V(light.axes[0][i]), point.direction[0],
+                             fma(V(light.axes[1][i]), point.direction[1], V(light.axes[2][i]) * n));
+    }
+    out.distance = point.distance * V(light.unit);
+    out.pdf = view_.spherical.inverse_solid_angle();
+    out.cosine = -n;
+    out.place = point.place;
+    out.valid = honest(view_.valid && is_finite(u + v) && is_finite(out.distance), out.pdf);
+    return out;
+  }
+
+  V pdf_of_place(const Place<V>& place) const { return pdf(view_.valid && on_unit_triangle(place)); }
+
+  V pdf_of_direction(const V (&direction)[3]) const { return pdf(view_.hit(direction).inside); }
+
+  Square<V> invert(const V (&direction)[3]) const {
+    const auto hit = view_.hit(direction);
+    const Square<V> square = view_.spherical.invert(hit.direction);
+    const Mask<V> inside = honest(hit.inside, view_.spherical.inverse_solid_angle());
+    return {select(inside, square.u, V(-1)), select(inside, square.v, V(-1))};
+  }
+
+ private:
+  V pdf(Mask<V> hit) const {
+    const V density = view_.spherical.inverse_solid_angle();
+    return select(honest(hit, density), density, V(0));
+  }
+
+  TriangleView<V> view_;
+};
+
+}  // namespace
+}  // namespace hatbox::HATBOX_ISA
