@@ -5,6 +5,7 @@
 #include "distance_bench.h"
 #include "ellipse_bench.h"
 #include "rectangle_bench.h"
+#include "triangle_bench.h"
 
 #include <CLI/CLI.hpp>
 
@@ -42,6 +43,7 @@ int run(int argc, char** argv) {
   for (Case& c : register_carlson_cases()) cases.push_back(std::move(c));
   for (Case& c : register_ellipse_cases()) cases.push_back(std::move(c));
   for (Case& c : register_rectangle_cases()) cases.push_back(std::move(c));
+  for (Case& c : register_triangle_cases()) cases.push_back(std::move(c));
   const std::vector<DistanceRow> distances = register_distance_cases();
   Collector collector((cases.size() + distances.size()) * static_cast<std::size_t>(repetitions));
   benchmark::RunSpecifiedBenchmarks(&collector);
