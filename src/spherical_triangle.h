@@ -1,5 +1,5 @@
 // The spherical triangle that a triangle in a plane is seen as: its solid angle, its points by solid angle, and back.
-// Nothing in it cancels: right to some 1e-6 from the smallest float to 2π, hugging an edge or seen from afar.
+// Forward nothing cancels that matters: right to 1e-6 from the smallest float to 2π, hugging an edge or seen from afar.
 //
 // Source: Arvo 1995, "Stratified Sampling of Spherical Triangles", in half angles. A, B, C are the vertices counted
 // from the apex, the one opposite the smallest side; a, b, c the sides opposite to them and α, β, γ their angles. With
@@ -81,7 +81,7 @@ class SphericalTriangle {
 
   template <class T>
   T turned(const T (&of_vertex)[3], int i) const {  // of vertex A, B or C
-    return {select(first_, of_vertex[i], select(second_, of_vertex[(i + 1) % 3], of_vertex[(i + 2) % 3]))};
+    return select(first_, of_vertex[i], select(second_, of_vertex[(i + 1) % 3], of_vertex[(i + 2) % 3]));
   }
   SinCos<V> turned(const SinCos<V> (&of_side)[3], int i) const {
     const V sin[3] = {of_side[0].sin, of_side[1].sin, of_side[2].sin};
@@ -219,7 +219,7 @@ HATBOX_INLINE inline TrianglePoint<V> SphericalTriangle<V>::sample(V u, V v) con
 
 // The area of A B C_u follows from the angles α, β and the side c between them:
 //   tan θ = 2 s_c² sin α sin β/(sin(α + β) + sin γ) = (sin γ − sin(α + β))/(2 (c_c² sin α sin β − cos α cos β))
-//   sin² γ = sin²(α + β) …, as a sum of squares: (sin α cos β + cos c cos α sin β)² + (sin c sin β)²
+//   sin² γ = (sin α cos β + cos c cos α sin β)² + (sin c sin β)²,  γ the angle of A B C_u at C_u
 // and the arc a_u from  sin a_u = sin c sin α/sin γ,  cos a_u = (cos c cos β sin α + sin β cos α)/sin γ.
 template <class V>
 inline Square<V> SphericalTriangle<V>::invert(const V (&direction)[3]) const {

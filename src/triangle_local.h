@@ -20,11 +20,11 @@ using TriangleLight = TriangleConstantsOf<Scalar<V>>;
 /// Vertices go counterclockwise about it. Side i lies opposite vertex i and runs from vertex i + 1 to i + 2 (mod 3).
 template <class V>
 struct PlaneTriangle {
-  V x[3], y[3];            // vertices
-  V z;                     // the plane's, > 0
-  V side_x[3], side_y[3];  //
-  V length[3];             // of the sides
-  V cross[3];              // of the vertices a side runs from and to
+  V x[3], y[3];  // vertices
+  V z;           // the plane's, > 0
+  V side_x[3], side_y[3];
+  V length[3];  // of the sides
+  V cross[3];   // of the vertices a side runs from and to
   V doubled_area;
 };
 

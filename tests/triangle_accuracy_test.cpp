@@ -27,7 +27,7 @@ TEST(TriangleReference, IsGolden) {
   for (const GoldenTriangleSolidAngle& row : golden_triangle_solid_angles) {
     const auto constants = constants_of<double>(row.light);
     const kernels::TriangleView<double> view(constants, row.point.x, row.point.y, row.point.z);
-    // The height is a difference of products of coordinates some 100 large: 1e-14 of an ulp's worth is 1e-6 of that.
+    // Doubles are 2e-9 of a float's ulp apart, and the height is a sum of several products of coordinates.
     EXPECT_NEAR(solid_angle_of(view), row.solid_angle, 1e-13 * row.solid_angle + 1e-5 * row.conditioning);
   }
   for (const GoldenTriangleDirection& row : golden_triangle_directions) {
