@@ -56,7 +56,8 @@ void set_span(EllipseConstantsOf<T>& constants, int index, const Double3& unit, 
 template <class T>
 EllipseConstantsOf<T> constants_of(const Ellipse& light) {
   const Frame frame = frame_of(light);
-  const double inverse_radius = 1 / frame.longer.length, ratio = frame.shorter.length * inverse_radius;
+  const double inverse_radius = 1 / frame.longer.length;
+  const double ratio = frame.shorter.length / frame.longer.length;  // 1 for a circle
 
   EllipseConstantsOf<T> constants = {};
   set_center(constants, light.center);

@@ -29,21 +29,45 @@ struct AngleShift {
   V shift, slope;  // η − θ, dη/dθ
 };
 
-/// Made once a shading point. Any class with this constructor and call can stand in its place (radial_map.h).
+/// The way back, from an η.
+template <class V>
+struct UniformAngle {
+  SinCos<V> angle;  // θ
+  V slope;          // dη/dθ
+};
+
+/// η ↦ θ by Newton's method: |η − θ| < 0.15, three steps are exact to float everywhere, and the fourth is for the
+/// slope there.
+template <class AngleMap, class V>
+inline UniformAngle<V> solve_uniform_angle(const AngleMap& map, const SinCos<V>& eta) {
+  UniformAngle<V> out = {eta, V(1)};
+  V back = V(0);  // θ − η
+  for (int step = 0; step < 4; ++step) {
+    const auto [shift, slope] = map(out.angle);
+    back = back - (back + shift) / slope;
+    out.slope = slope;
+    out.angle = rotate(eta, sincos_small(back));
+  }
+  return out;
+}
+
+/// Made once a shading point. Any class with this constructor, call and way back can stand in its place (radial_map.h).
 template <class V>
 class EtaSeries {
  public:
   template <class Light>
   HATBOX_INLINE EtaSeries(const Light&, const SphericalEllipse<V>& cone);
 
-  AngleShift<V> operator()(V cos_2theta, V sin_2theta) const;
+  AngleShift<V> operator()(const SinCos<V>& theta) const;
+  UniformAngle<V> uniform_angle(const SinCos<V>& eta) const { return solve_uniform_angle(*this, eta); }
 
  private:
   V p_[6];  // P, lowest power first
 };
 
 template <class V>
-inline AngleShift<V> EtaSeries<V>::operator()(V x, V s) const {
+inline AngleShift<V> EtaSeries<V>::operator()(const SinCos<V>& theta) const {
+  const auto [s, x] = doubled(theta);
   V value = p_[5];
   V derivative = p_[5];
   for (int i = 4; i > 0; --i) {

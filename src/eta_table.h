@@ -27,7 +27,8 @@ class EtaTable {
   template <class Light>
   HATBOX_INLINE EtaTable(const Light& light, const SphericalEllipse<V>& cone);
 
-  AngleShift<V> operator()(V cos_2theta, V sin_2theta) const;
+  AngleShift<V> operator()(const SinCos<V>& theta) const;
+  UniformAngle<V> uniform_angle(const SinCos<V>& eta) const { return solve_uniform_angle(*this, eta); }
 
  private:
   const float* coefficients_;
@@ -63,7 +64,8 @@ HATBOX_INLINE inline EtaTable<V>::EtaTable(const Light& light, const SphericalEl
 }
 
 template <class V>
-inline AngleShift<V> EtaTable<V>::operator()(V x, V s) const {
+inline AngleShift<V> EtaTable<V>::operator()(const SinCos<V>& theta) const {
+  const auto [s, x] = doubled(theta);
   const V half = V(Scalar<V>(0.5) * cells_);
   const V position = fma(x, half, half);
   const V cell = cell_of(position, cells_ - Scalar<V>(1));

@@ -3,6 +3,7 @@
 
 #include "area_map.h"
 #include "ellipse_cone.h"
+#include "eta_hybrid.h"
 #include "eta_table.h"
 #include "parallel_carlson_map.h"
 #include "parallel_map.h"
@@ -36,9 +37,9 @@ using DiskTableRadial = RadialMap<DiskCone<V>, EtaTable<V>, PolarChart>;
 template <class V>
 using EllipseArea = AreaMap<EllipseCone<V>>;
 template <class V>
-using EllipseLdRadial = RadialMap<EllipseCone<V>, EtaSeries<V>, ConcentricChart>;
+using EllipseLdRadial = RadialMap<EllipseCone<V>, EtaHybrid<V>, ConcentricChart>;
 template <class V>
-using EllipseRadial = RadialMap<EllipseCone<V>, EtaSeries<V>, PolarChart>;
+using EllipseRadial = RadialMap<EllipseCone<V>, EtaHybrid<V>, PolarChart>;
 
 template <class V>
 using RectangleArea = RectangleAreaMap<V>;

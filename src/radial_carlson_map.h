@@ -1,15 +1,9 @@
-// DiskMap::radial_carlson: the radial map with its solid angle by Carlson's integrals, inverted by Newton's method for
-// every sample, as its paper has it (Guillén et al. 2017, eq. 16-22). A baseline: radial makes the same samples,
-// cheaper.
-//
-// In the angle η of spherical_ellipse.h, with tan φ = (b/a) tan η, tan ϕ = tan η/k' and q = k'² (cos²η + cos²β sin²η),
-// eq. 19 is
-//   Ω_r = φ − c Π(n; ϕ|m) = φ − atan(h tan φ) + ab k' cos α/3 sin³η R_J(k'² cos²η, k'², k'² cos²η + sin²η, q)
-// by DLMF 19.21.12, and the difference of angles, whose tangent is (1 − h) tan φ/(1 + h tan²φ), that of
-//   ab (cos²η + (b/a)² sin²η) sin η cos η/((1 + h)(cos²η + h (b/a)² sin²η)).
+// DiskMap::radial_carlson: the radial map with its solid angle by Carlson's integrals (sector_area.h), inverted by
+// Newton's method for every sample, as its paper has it (Guillén et al. 2017, eq. 16-22). A baseline: radial makes the
+// same samples, cheaper.
 #pragma once
 
-#include "carlson_map.h"
+#include "sector_area.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {
@@ -36,14 +30,11 @@ struct Quadrant {
 template <class V>
 class RadialCarlsonMap {
  public:
-  HATBOX_INLINE RadialCarlsonMap(const DiskLight<V>& light, V x, V y, V z) : cone_(light, x, y, z) {
-    const V b_over_a = cone_.b / cone_.a;
-    ratio2_ = b_over_a * b_over_a;
-    const V cos2_alpha = cone_.k2 * cone_.cos_beta * cone_.cos_beta;
-    valid_ = cone_.valid && (min(cos2_alpha, ratio2_) >= constant<V>(smallest_));
-    quadrant_ = area({V(1), V(0)}, cone_.cos_beta);
+  HATBOX_INLINE RadialCarlsonMap(const DiskLight<V>& light, V x, V y, V z)
+      : cone_(light, x, y, z), area_(cone_, cone_.valid) {
+    quadrant_ = area_.quadrant();
     density_ = V(0.25) * cone_.inverse_ab / quadrant_;
-    valid_ = honest(valid_, density_);
+    valid_ = honest(area_.valid(), density_);
   }
 
   HATBOX_INLINE LightSample<V> sample(V u, V v) const {
@@ -75,7 +66,7 @@ class RadialCarlsonMap {
     const EllipseHit<V> q = cone_.hit(direction);
     const auto [eta, S] = angle_of(q.x, q.y);
     const V h = cone_.rim_height(eta);
-    const V share = area({abs(eta.sin), abs(eta.cos)}, h) / quadrant_;
+    const V share = area_({abs(eta.sin), abs(eta.cos)}, h) / quadrant_;
     const Quadrant<V> quadrant = {min(share, V(1)), copysign(V(1), eta.sin), copysign(V(1), eta.cos)};
     const V r = min(S, V(1));
     const V t = r * r * ((V(1) + h) / (V(1) + max(q.z, V(0))));
@@ -85,18 +76,6 @@ class RadialCarlsonMap {
 
  private:
   static constexpr int newton_steps = 2;
-  static constexpr double smallest_ = 0x1p-110;  // cos²α and (b/a)², so that R_J stays in range
-
-  /// Ω_r/(ab), of the η whose rim height is h.
-  HATBOX_INLINE V area(const SinCos<V>& eta, V h) const {
-    const V cos2 = eta.cos * eta.cos, sin2 = eta.sin * eta.sin;
-    const V wide = fma(ratio2_, sin2, cos2);
-    const V x = wide * eta.sin * eta.cos / ((V(1) + h) * fma(h * ratio2_, sin2, cos2));
-    const V k2 = cone_.k2;
-    const V third =
-        duplicate_rj(valid_, k2 * cos2, k2, fma(k2, cos2, sin2), k2 * fma(cone_.cos_beta * cone_.cos_beta, sin2, cos2));
-    return fma(constant<V>(1.0 / 3) * k2 * cone_.cos_beta * (sin2 * eta.sin), third, atan_by_ab(cone_, x));
-  }
 
   /// Eq. 21 in η, where the derivative 1/(1 + h) is within a factor 2 of constant. The start is the inverse of the
   /// series 1/(1 + h) ∝ 1 + A cos 2η to second order.
@@ -109,7 +88,7 @@ class RadialCarlsonMap {
     SinCos<V> eta = moved(theta, shift);
     for (int step = 0; step < newton_steps; ++step) {
       const V h = cone_.rim_height(eta);
-      shift = fma(fma(fraction, quadrant_, -area(eta, h)), V(1) + h, shift);
+      shift = fma(fma(fraction, quadrant_, -area_(eta, h)), V(1) + h, shift);
       shift = max(min(shift, constant<V>(0.2)), constant<V>(-0.2));
       eta = moved(theta, shift);
     }
@@ -123,8 +102,8 @@ class RadialCarlsonMap {
   }
 
   DiskCone<V> cone_;
+  SectorArea<V> area_;
   Mask<V> valid_;
-  V ratio2_;    // (b/a)²
   V quadrant_;  // Ω/(4ab)
   V density_;
 };

@@ -1,5 +1,6 @@
 // The solid-angle maps from the centre outwards, ld_radial and radial (Guillén et al. 2017, §3.3), over any cone whose
-// spherical ellipse is known (disk_cone.h) and any area-preserving map of its angle (eta_series.h).
+// spherical ellipse is known (disk_cone.h) and any area-preserving map of its angle (eta_series.h,
+// eta_hybrid.h, eta_table.h).
 //
 // With t = r² the share of the way from the centre direction (t = 0) to the rim (t = 1), equal in solid angle (eq. 22):
 //   z = (1 − t) + t h(η),  S² = t (1 + z)/(1 + h),  q = (a S cos η, b S sin η, z)
@@ -25,7 +26,7 @@ class RadialMap {
   HATBOX_INLINE LightSample<V> sample(V u, V v) const {
     const Polar<V> polar = Chart::forward(u, v);
     const V t = polar.radius * polar.radius;
-    const auto [shift, slope] = along(polar.angle);
+    const auto [shift, slope] = angle_map_(polar.angle);
     const SinCos<V> eta = rotate(polar.angle, sincos_small(shift));
     const V h = cone_.rim_height(eta);
     const V one_plus_h = V(1) + h;
@@ -55,41 +56,17 @@ class RadialMap {
     const auto [eta, S] = angle_of(q.x, q.y);
     const V h = cone_.rim_height(eta);
     const V r = min(min(S, V(1)) * sqrt((V(1) + h) / (V(1) + max(q.z, V(0)))), V(1));
-    const Square<V> square = Chart::inverse(Polar<V>{r, uniform_angle(eta).angle});
+    const Square<V> square = Chart::inverse(Polar<V>{r, angle_map_.uniform_angle(eta).angle});
     const Mask<V> hit = honest(q.inside, density());
     return {select(hit, clamp_variate(square.u), V(-1)), select(hit, clamp_variate(square.v), V(-1))};
   }
 
  private:
-  struct Uniform {
-    SinCos<V> angle;  // θ
-    V slope;          // dη/dθ
-  };
-
   // In η it is this times 1 + h.
   V density() const { return constant<V>(0.5 / pi) * cone_.inverse_ab; }
 
-  AngleShift<V> along(const SinCos<V>& theta) const {
-    const V sin2 = V(2) * theta.sin;
-    return angle_map_(fma(-sin2, theta.sin, V(1)), sin2 * theta.cos);
-  }
-
-  // η ↦ θ by Newton's method: |η − θ| < 0.15, three steps are exact to float everywhere, and the fourth is for the
-  // slope there.
-  Uniform uniform_angle(const SinCos<V>& eta) const {
-    Uniform out = {eta, V(1)};
-    V back = V(0);  // θ − η
-    for (int step = 0; step < 4; ++step) {
-      const auto [shift, slope] = along(out.angle);
-      back = back - (back + shift) / slope;
-      out.slope = slope;
-      out.angle = rotate(eta, sincos_small(back));
-    }
-    return out;
-  }
-
   V pdf(const SinCos<V>& eta, Mask<V> hit) const {
-    const V p = density() * ((V(1) + cone_.rim_height(eta)) / uniform_angle(eta).slope);
+    const V p = density() * ((V(1) + cone_.rim_height(eta)) / angle_map_.uniform_angle(eta).slope);
     return select(honest(hit && cone_.valid, p), p, V(0));
   }
 

@@ -57,6 +57,13 @@ inline SinCos<V> rotate(const SinCos<V>& a, const SinCos<V>& b) {
   return {fma(a.sin, b.cos, a.cos * b.sin), fma(a.cos, b.cos, -(a.sin * b.sin))};
 }
 
+/// Sine and cosine of twice an angle.
+template <class V>
+inline SinCos<V> doubled(const SinCos<V>& a) {
+  const V sin2 = V(2) * a.sin;
+  return {sin2 * a.cos, fma(-sin2, a.sin, V(1))};
+}
+
 /// Max error: 2 ulp of π/4, for |x| <= 1. The fit is within 1.5e-8, relative.
 template <class V>
 inline V atan_unit(V x) {

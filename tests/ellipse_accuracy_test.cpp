@@ -103,24 +103,17 @@ std::vector<double> direction_errors(Workload workload, double aspect, EllipseMa
   return errors;
 }
 
-/// Next to the tips of narrow ellipses the series of eta_series.h is not right to so many digits: of W1 it turns 2 in
-/// 1000 directions by more, in double too. What rounding does there is in ellipse_rounding_test.cpp.
 TEST_P(EllipseAccuracy, DirectionsMatchReference) {
   for (const EllipseMap map : all_ellipse_maps) {
     for (const Workload workload : all_workloads) {
       for (const std::size_t k : sample_counts) {
-        std::vector<double> all;
         for (const double aspect : ellipse_aspects) {
           const std::string what = label(workload, aspect) + "_" + name(map) + "_k" + std::to_string(k);
           const std::vector<double> errors = direction_errors(workload, aspect, map, pose(), k);
           report_quantiles("radians_" + what, errors);
-          all.insert(all.end(), errors.begin(), errors.end());
-          const bool wide = aspect == 1 || aspect == 0.5;
-          if (workload != Workload::w1 || !(wide || map == EllipseMap::area)) continue;
-          EXPECT_LE(quantile(errors, 0.9999), direction_bound) << what;
-        }
-        if (workload == Workload::w1) {
-          EXPECT_LE(quantile(all, 0.999), direction_bound) << name(map);
+          if (workload == Workload::w1) {
+            EXPECT_LE(quantile(errors, 0.9999), direction_bound) << what;
+          }
         }
       }
     }
@@ -170,9 +163,7 @@ HATBOX_FOR_EVERY_ISA_AND_POSE(EllipseAccuracy);
 
 class EllipseUniformitySlow : public DiskTest {};
 
-/// Wide ellipses keep what is promised of disks. Next to the tips of narrow ones the series of eta_series.h is less
-/// even: with one sample a point the aspects taken together keep it too, with 256 of them 2 points of W1 in 1000 stray
-/// by more.
+/// What is promised of disks, and of ellipses that are no circles more: hugging the light makes no difference to them.
 TEST_P(EllipseUniformitySlow, DensityTimesSolidAngleIsOne) {
   constexpr double share[] = {0.999, 0.99, 1}, bound[] = {1e-4, 2e-2, 1e-4};
   for (const EllipseMap map : {EllipseMap::ld_radial, EllipseMap::radial}) {
@@ -180,18 +171,15 @@ TEST_P(EllipseUniformitySlow, DensityTimesSolidAngleIsOne) {
       const auto w = static_cast<std::size_t>(workload);
       for (const std::size_t side : {std::size_t{1}, std::size_t{16}}) {
         const PointArrays points = make_points(workload, pose(), side == 1 ? 20000 : 4000);
-        std::vector<double> all;
         for (const double aspect : ellipse_aspects) {
           const std::string what = label(workload, aspect) + "_" + name(map) + "_k" + std::to_string(side * side);
           const auto errors = variations(Sampler(what, ellipse_in(pose(), aspect), map), points, side);
           report_quantiles("variation_" + what, errors);
-          all.insert(all.end(), errors.begin(), errors.end());
-          if (aspect == 1 || aspect == 0.5) {
-            EXPECT_LE(quantile(errors, share[w]), bound[w]) << what;
+          EXPECT_LE(quantile(errors, share[w]), bound[w]) << what;
+          if (aspect != 1) {
+            EXPECT_LE(quantile(errors, 1), 1e-4) << what;
           }
         }
-        const double share_of_all = workload == Workload::w1 && side > 1 ? 0.998 : share[w];
-        EXPECT_LE(quantile(all, share_of_all), bound[w]) << name(workload) << " " << name(map) << " " << side;
       }
     }
   }

@@ -1,5 +1,4 @@
-// What float costs: the directions of the kernels against those of their own text in double, for the narrowest ellipses
-// too. Both are what the series of eta_series.h makes them.
+// What float costs: the directions of the kernels against those of their own text in double.
 #define HATBOX_ISA in_double
 #include "maps.h"
 

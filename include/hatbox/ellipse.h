@@ -35,11 +35,10 @@ enum class EllipseMap {
 /// ld_radial and radial it is 1/Ω within 1e-4 at 99.9 % of points with x, y within ±3 longer semi-axes and height 0.05
 /// to 3.05, within 1e-4 from 10 of them on, and within 2e-2 at 99 % of points hugging the light (height 1e-5 to 1e-1).
 /// Directions are right to 4e-6 rad beyond what the rounding of the inputs makes of them, and of unit length to 1e-6;
-/// places are on the light to 1e-5. Ellipses narrower than 1 : 2 are less even next to their tips: at 99.9 % of those
-/// points the density then varies by up to 3e-4 at 1 : 10 and 2e-3 at 1 : 100, and directions miss the exact map's by
-/// up to 3e-4 rad in 1 of 10 000.
+/// places are on the light to 1e-5. Ellipses that are no circles do better next to the light: their density is 1/Ω
+/// within 1e-4 at all of these points.
 ///
-/// Source: Guillén et al. 2017, eq. 3-5 and 16-23, in the form that src/ellipse_cone.h and src/eta_series.h explain.
+/// Source: Guillén et al. 2017, eq. 3-5 and 16-23, in the form that src/ellipse_cone.h and src/eta_hybrid.h explain.
 void sample(const Ellipse& light, EllipseMap map, Points points, Variates variates, Samples out);
 
 /// The density, per steradian, with which `sample` picks each of the k·n `directions` (unit length, not checked): 0 for
