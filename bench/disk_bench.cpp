@@ -26,6 +26,7 @@ constexpr std::pair<const char*, DiskMap> maps[] = {{"area", DiskMap::area},
                                                     {"ld_radial", DiskMap::ld_radial},
                                                     {"radial", DiskMap::radial},
                                                     {"parallel", DiskMap::parallel},
+                                                    {"rejection", DiskMap::rejection},
                                                     {"radial_carlson", DiskMap::radial_carlson},
                                                     {"parallel_carlson", DiskMap::parallel_carlson}};
 
@@ -194,7 +195,7 @@ std::vector<Case> register_disk_cases() {
   }
   register_tables(registry);
   for (const auto& [map_name, map] : maps) {
-    if (map == DiskMap::area) continue;
+    if (map == DiskMap::area || map == DiskMap::rejection) continue;
     const Case c{.map = map_name, .isa = "reference", .threads = 1, .samples_per_point = 1, .points = 256};
     registry.add(c, [map = map](benchmark::State& state, const Case& now) { measure_reference(state, now, map); });
   }

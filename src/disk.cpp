@@ -18,6 +18,12 @@ const MapKernels<DiskConstants>& kernels_of(DiskMap map) {
   return active_kernels().disk[index];
 }
 
+const MapKernels<DiskConstants>& invertible_kernels_of(DiskMap map) {
+  const MapKernels<DiskConstants>& kernels = kernels_of(map);
+  if (kernels.invert == nullptr) throw std::invalid_argument("map: DiskMap::rejection has no inverse");
+  return kernels;
+}
+
 Vec3 scaled(const float (&v)[3], float factor) { return {v[0] * factor, v[1] * factor, v[2] * factor}; }
 
 }  // namespace
@@ -57,7 +63,7 @@ void pdf(const Disk& light, DiskMap map, Points points, Places places, std::span
 
 void invert(const Disk& light, DiskMap map, Points points, Directions directions, std::span<float> u,
             std::span<float> v) {
-  call_invert({}, kernels_of(map), ready(light), points, directions, u, v);
+  call_invert({}, invertible_kernels_of(map), ready(light), points, directions, u, v);
 }
 
 void solid_angle(const Disk& light, Points points, std::span<float> out) {
@@ -81,7 +87,7 @@ void pdf(const Disk& light, DiskMap map, Points points, Places places, std::span
 
 void invert(const Disk& light, DiskMap map, Points points, Directions directions, std::span<float> u,
             std::span<float> v, std::size_t grain) {
-  call_invert(parallel_with(grain), kernels_of(map), ready(light), points, directions, u, v);
+  call_invert(parallel_with(grain), invertible_kernels_of(map), ready(light), points, directions, u, v);
 }
 
 void solid_angle(const Disk& light, Points points, std::span<float> out, std::size_t grain) {

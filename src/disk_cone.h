@@ -45,6 +45,7 @@ struct DiskCone : SphericalEllipse<V> {
   const DiskLight<V>& light;
   Mask<V> below;  // the shading point lies on the side of −normal
   V height, d;    // |h| and d of the above
+  V from_rim;     // d − 1
   V t_u, t_v;     // t̂ in the disk's own axes; any unit vector for a point on the axis
   V kappa;
   V m_t, m_n;
@@ -115,8 +116,8 @@ HATBOX_INLINE inline DiskCone<V>::DiskCone(const DiskLight<V>& disk, V x, V y, V
   t_v = select(off_axis, l.v * inverse_d, V(0));
 
   const V h2 = height * height;
-  const V near = d2_minus_1 * (nonzero_d * shared);
-  const V rim0 = length_of_small(near, height);
+  from_rim = d2_minus_1 * (nonzero_d * shared);
+  const V rim0 = length_of_small(from_rim, height);
   const V rim1 = sqrt(fma(far, far, h2));
   const V L = rim0 * rim1;
   const V inverse_L = V(1) / L;

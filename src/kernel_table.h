@@ -41,7 +41,8 @@ using SampleKernel = void (*)(const SampleJob<Light>&, std::size_t begin, std::s
 template <class Light>
 using QueryKernel = void (*)(const QueryJob<Light>&, std::size_t begin, std::size_t end);
 
-/// All that one map can do. Each kernel does the points [begin, end) of its job.
+/// All that one map can do. Each kernel does the points [begin, end) of its job. A map that is no bijection has no
+/// `invert`.
 template <class Light>
 struct MapKernels {
   SampleKernel<Light> sample;
@@ -50,7 +51,7 @@ struct MapKernels {
   QueryKernel<Light> invert;
 };
 
-inline constexpr std::size_t disk_map_count = 6;
+inline constexpr std::size_t disk_map_count = 7;
 inline constexpr std::size_t ellipse_map_count = 3;
 inline constexpr std::size_t rectangle_map_count = 2;
 inline constexpr std::size_t triangle_map_count = 2;

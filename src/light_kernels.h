@@ -97,6 +97,11 @@ template <template <class> class Map, class Light>
 inline constexpr MapKernels<Light> kernels_of = {sample<Map, Light>, pdf_of_direction<Map, Light>,
                                                  pdf_of_place<Map, Light>, invert<Map, Light>};
 
+/// Of a map that has no inverse.
+template <template <class> class Map, class Light>
+inline constexpr MapKernels<Light> one_way_kernels_of = {sample<Map, Light>, pdf_of_direction<Map, Light>,
+                                                         pdf_of_place<Map, Light>, nullptr};
+
 void product_residual(const float* x, const float* y, float* residual, std::size_t n) {
   for (std::size_t i = 0; i < n; i += lanes<Packet>) {
     store(residual + i, two_product(load(x + i, Packet()), load(y + i, Packet())).low);

@@ -11,6 +11,7 @@
 #include "radial_map.h"
 #include "rectangle_area_map.h"
 #include "rectangle_map.h"
+#include "rejection_map.h"
 #include "triangle_area_map.h"
 #include "triangle_map.h"
 
@@ -25,6 +26,8 @@ template <class V>
 using DiskRadial = RadialMap<DiskCone<V>, EtaSeries<V>, PolarChart>;
 template <class V>
 using DiskParallel = ParallelMap<DiskCone<V>>;
+template <class V>
+using DiskRejection = RejectionMap<V>;
 template <class V>
 using DiskRadialCarlson = RadialCarlsonMap<V>;
 template <class V>

@@ -35,8 +35,27 @@ inline constexpr double least_height = 0x1p-60;
 // product of two such numbers is a normal float, and one division does for both of their inverses.
 inline constexpr double product_scale = 0x1p58;
 
+/// Where the sides of a rectangle lie from the foot of the shading point, along axes that are turned so that
+/// x0 + x1 >= 0 and y0 + y1 >= 0, in a unit that brings the largest coordinate into [1, 2).
 template <class V>
-struct RectangleLocal {
+struct RectangleSides {
+  V x0, x1, y0, y1;
+  V e_x, e_y;  // the lengths of the edges: x1 − x0, y1 − y0 but for their rounding
+  V height;    // of the plane over the shading point, signed along the normal
+  V z;         // its size, at least least_height
+
+  /// Whether the foot lies off the light.
+  Mask<V> beside() const { return max(x0, y0) > V(0); }
+
+  /// How much smaller the solid angle is than that seen from the height z.
+  V shrinking() const { return select(beside(), min(abs(height) * constant<V>(1 / least_height), V(1)), V(1)); }
+
+  /// The height of the plane over the shading point of whom the light is seen as it is from the height z.
+  V seen_height() const { return select(beside(), height, copysign(z, height)); }
+};
+
+template <class V>
+struct RectangleLocal : RectangleSides<V> {
   HATBOX_INLINE RectangleLocal(const RectangleLight<V>& rectangle, V px, V py, V pz);
 
   /// A sampled direction is right to a few ulp: what these could move inside, is.
@@ -51,12 +70,8 @@ struct RectangleLocal {
 
   const RectangleLight<V>& light;
   Mask<V> valid;           // false in the light's plane and for non-finite points; the rest is then of no use
-  Mask<V> flip_x, flip_y;  // whether the axes are turned round, so that x0 + x1 >= 0 and y0 + y1 >= 0
+  Mask<V> flip_x, flip_y;  // whether the axes are turned round
   V scale;                 // world units in a scaled one
-  V x0, x1, y0, y1;        // the sides
-  V e_x, e_y;              // the lengths of the edges: x1 − x0, y1 − y0 but for their rounding
-  V height;                // of the plane over the shading point, signed along the normal
-  V z;                     // its size, at least least_height
 };
 
 /// Both ends of an edge along an axis, each rounded but once.
@@ -87,15 +102,15 @@ HATBOX_INLINE inline RectangleLocal<V>::RectangleLocal(const RectangleLight<V>& 
   const V largest = max(max(max(abs(x.low), abs(x.high)), max(abs(y.low), abs(y.high))), abs(world_height));
   scale = power_of_two(largest);
   const V down = inverse_power_of_two(largest);
-  x0 = select(flip_x, -x.high, x.low) * down;
-  x1 = select(flip_x, -x.low, x.high) * down;
-  y0 = select(flip_y, -y.high, y.low) * down;
-  y1 = select(flip_y, -y.low, y.high) * down;
-  e_x = V(light.length_hi[0]) * down;
-  e_y = V(light.length_hi[1]) * down;
-  height = world_height * down;
-  z = max(abs(height), constant<V>(least_height));
-  valid = (abs(height) > V(0)) && is_finite((x.low + x.high) + (y.low + y.high) + world_height) &&
+  this->x0 = select(flip_x, -x.high, x.low) * down;
+  this->x1 = select(flip_x, -x.low, x.high) * down;
+  this->y0 = select(flip_y, -y.high, y.low) * down;
+  this->y1 = select(flip_y, -y.low, y.high) * down;
+  this->e_x = V(light.length_hi[0]) * down;
+  this->e_y = V(light.length_hi[1]) * down;
+  this->height = world_height * down;
+  this->z = max(abs(this->height), constant<V>(least_height));
+  valid = (abs(this->height) > V(0)) && is_finite((x.low + x.high) + (y.low + y.high) + world_height) &&
           (largest >= constant<V>(smallest_normal<V>));
 }
 
@@ -106,17 +121,17 @@ inline RectangleHit<V> RectangleLocal<V>::hit(const V (&direction)[3]) const {
   const V u = along(light.axes_hi[0], direction), v = along(light.axes_hi[1], direction);
   const V n = along(light.axes_hi[2], direction);
   const V q_x = select(flip_x, -u, u), q_y = select(flip_y, -v, v);
-  const V q_n = select(height < V(0), -n, n);
+  const V q_n = select(this->height < V(0), -n, n);
   const V blur = constant<V>(8 * std::numeric_limits<Scalar<V>>::epsilon());
   const auto beyond = [&](V q, V side) {  // of the plane through a side, times a length
-    return fma(q, z, -(side * q_n)) / sqrt(fma(side, side, z * z));
+    return fma(q, this->z, -(side * q_n)) / sqrt(fma(side, side, this->z * this->z));
   };
-  const V way = z / max(q_n, constant<V>(smallest_normal<V>));
+  const V way = this->z / max(q_n, constant<V>(smallest_normal<V>));
   RectangleHit<V> hit;
-  hit.x = max(min(q_x * way, x1), x0);
-  hit.y = max(min(q_y * way, y1), y0);
-  hit.inside = valid && (q_n > -blur) && (beyond(q_x, x0) >= -blur) && (beyond(q_x, x1) <= blur) &&
-               (beyond(q_y, y0) >= -blur) && (beyond(q_y, y1) <= blur);
+  hit.x = max(min(q_x * way, this->x1), this->x0);
+  hit.y = max(min(q_y * way, this->y1), this->y0);
+  hit.inside = valid && (q_n > -blur) && (beyond(q_x, this->x0) >= -blur) && (beyond(q_x, this->x1) <= blur) &&
+               (beyond(q_y, this->y0) >= -blur) && (beyond(q_y, this->y1) <= blur);
   return hit;
 }
 

@@ -109,19 +109,10 @@ HATBOX_INLINE inline StripPair<V> strips_between(const StripEnds<V>& first, cons
 }
 
 template <class V>
-struct RectangleStrips : RectangleLocal<V> {
-  HATBOX_INLINE RectangleStrips(const RectangleLight<V>& rectangle, V px, V py, V pz);
+struct RectangleStrips : RectangleSides<V> {
+  HATBOX_INLINE explicit RectangleStrips(const RectangleSides<V>& sides);
 
-  /// Whether the foot of the shading point lies off the light.
-  Mask<V> beside() const { return max(this->x0, this->y0) > V(0); }
-
-  V solid_angle() const { return (right.area() + left.area()) * shrinking(); }
-
-  /// How much smaller the solid angle is than that seen from the height z.
-  V shrinking() const {
-    const V share = min(abs(this->height) * constant<V>(1 / least_height), V(1));
-    return select(beside(), share, V(1));
-  }
+  V area() const { return right.area() + left.area(); }  // seen from the height z
 
   StripEdge<V> edge_at(V x) const {
     const V x2 = x * x;
@@ -137,9 +128,7 @@ struct RectangleStrips : RectangleLocal<V> {
 
 // Either the right strip begins or the left one ends at |x0|, so its two roots do for both.
 template <class V>
-HATBOX_INLINE inline RectangleStrips<V>::RectangleStrips(const RectangleLight<V>& rectangle, V px, V py, V pz)
-    : RectangleLocal<V>(rectangle, px, py, pz) {
-  const RectangleLocal<V>& l = *this;
+HATBOX_INLINE inline RectangleStrips<V>::RectangleStrips(const RectangleSides<V>& l) : RectangleSides<V>(l) {
   const V z2 = l.z * l.z;
   D0 = fma(l.y0, l.y0, z2);
   D1 = fma(l.y1, l.y1, z2);
@@ -160,11 +149,6 @@ HATBOX_INLINE inline RectangleStrips<V>::RectangleStrips(const RectangleLight<V>
                                                 {foot, at_x0, select(straddling, -l.x0, V(0)), w_f}, N);
   right = strips.first;
   left = strips.second;
-}
-
-template <class V>
-inline V solid_angle_of(const RectangleStrips<V>& strips) {
-  return strips.solid_angle();
 }
 
 }  // namespace

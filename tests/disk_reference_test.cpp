@@ -49,7 +49,7 @@ TEST(DiskReference, PaperAgreesWhereItIsGood) {
         const EtaDisk eta(DiskFrame<long double>(light), points[i]);
         if (eta.solid_angle() < 1e-2) continue;
         area_errors.push_back(std::abs(paper.solid_angle() / eta.solid_angle() - 1));
-        for (const DiskMap map : all_disk_maps) {
+        for (const DiskMap map : disk_bijections) {
           const float u = variates.u[i], v = variates.v[i];
           angle_errors.push_back(angle_between(paper.sample(map, u, v).direction, eta.sample(map, u, v).direction));
         }

@@ -10,23 +10,25 @@
 
 namespace hatbox {
 
-/// How (u, v) becomes a direction to the disk. All are bijections of the square onto the disk as it is seen.
+/// How (u, v) becomes a direction to the disk. All but `rejection` are bijections of the square onto the disk as it is
+/// seen.
 enum class DiskMap {
   area,       ///< uniform in area: concentric map of the disk (Shirley and Chiu 1997). Cheapest, noisy close by
   ld_radial,  ///< uniform in solid angle, concentric: low distortion, keeps stratification (Guillén 2017, §3.3)
   radial,     ///< uniform in solid angle, polar: u turns about the centre, v goes from the centre to the rim (ibid.)
   parallel,   ///< uniform in solid angle, in slices: u goes across the minor axis, v along the slice (ibid., §3.2)
+  rejection,  ///< uniform in solid angle over random (u, v): tries in the square about the disk (Gamito 2016)
   radial_carlson,    ///< as radial, by Carlson's elliptic integrals and Newton's method as in the paper: a baseline
   parallel_carlson,  ///< as parallel, in the same way
 };
 
 // All calls are thread-safe and allocate nothing. They throw std::invalid_argument, before anything is written, if
-// spans disagree in length, the light is not one (see `check`) or `map` is none of the above; the message names the
-// argument and its value. A lane that cannot be sampled (its point in the light's plane or not finite, its variate not
-// finite, its solid angle not a normal float) gets 0 in every output; no lane gets NaN, an infinity or a negative
-// density, and none is touched by another. A lane's bits depend on its own inputs alone: not on its place, on k, on the
-// number of threads, nor (but for sse4_2, see isa.h) on the instruction set. Scaling light and points together changes
-// nothing but `distance`.
+// spans disagree in length, the light is not one (see `check`) or `map` is none of the above, or `rejection` where an
+// inverse is asked for; the message names the argument and its value. A lane that cannot be sampled (its point in the
+// light's plane or not finite, its variate not finite, its solid angle not a normal float) gets 0 in every output; no
+// lane gets NaN, an infinity or a negative density, and none is touched by another. A lane's bits depend on its own
+// inputs alone: not on its place, on k, on the number of threads, nor (but for sse4_2, see isa.h) on the instruction
+// set. Scaling light and points together changes nothing but `distance`.
 
 /// Samples k directions from each of n points: sample j of point i lies at [j·n + i] of `variates` and `out`. The k
 /// samples of a point share its set-up, so that many cost less than their number.
@@ -36,6 +38,11 @@ enum class DiskMap {
 /// to 3.05, within 1e-6 from 10 radii on, and within 2e-2 at 99 % of points hugging the light (height 1e-5 to 1e-1);
 /// for radial_carlson and parallel_carlson within 2e-6 at all of these, plus what the rounding of the inputs makes of
 /// Ω. Directions are right to 4e-6 rad and of unit length to 1e-6; places are on the disk to 1e-6.
+///
+/// `rejection` takes (u, v) for a point of the square about the disk, and where that misses the disk, as one in four to
+/// five does, pseudorandom points that are a function of (u, v) alone. Stratification is lost there. Up to 15 tries;
+/// all of them fail with a probability below 1e-9, and the lane is then as one that cannot be sampled. Its density is
+/// 1/Ω to 2e-6, plus what the rounding of the inputs makes of Ω.
 ///
 /// Source: Guillén et al. 2017, eq. 3-5 and 16-23, in the form that src/disk_cone.h and src/eta_series.h explain.
 void sample(const Disk& light, DiskMap map, Points points, Variates variates, Samples out);
@@ -52,7 +59,7 @@ void pdf(const Disk& light, DiskMap map, Points points, Places places, std::span
 
 /// The (u, v) that `sample` turns into each of the k·n `directions`: -1, -1 for one that misses the light or cannot be
 /// sampled. Right to 1e-4 where the map is continuous and the light wide enough for a float direction to tell. `u` and
-/// `v` have k·n elements each.
+/// `v` have k·n elements each. Not for `rejection`, which has no inverse.
 void invert(const Disk& light, DiskMap map, Points points, Directions directions, std::span<float> u,
             std::span<float> v);
 

@@ -24,6 +24,12 @@ inline double outside(const Rectangle&, double s, double t) { return std::max({-
 
 inline double outside(const Triangle&, double s, double t) { return std::max({-s, -t, s + t - 1}); }
 
+template <class Map>
+bool has_inverse(const Map&) {
+  return true;
+}
+inline bool has_inverse(DiskMap map) { return map != DiskMap::rejection; }
+
 struct Sampler {
   template <class Light, class Map>
   Sampler(std::string sampler_name, const Light& light, const Map& map);
@@ -33,7 +39,8 @@ struct Sampler {
   std::function<void(const Points&, const Variates&, const Samples&, Grain)> sample;
   std::function<void(const Points&, const Directions&, std::span<float>, Grain)> pdf_of_direction;
   std::function<void(const Points&, const Places&, std::span<float>, Grain)> pdf_of_place;
-  std::function<void(const Points&, const Directions&, std::span<float> u, std::span<float> v, Grain)> invert;
+  std::function<void(const Points&, const Directions&, std::span<float> u, std::span<float> v, Grain)>
+      invert;  // or none
   std::function<void(const Points&, std::span<float>, Grain)> solid_angle;
 };
 
@@ -52,13 +59,15 @@ Sampler::Sampler(std::string sampler_name, const Light& light, const Map& map)
       pdf_of_place([=](const Points& points, const Places& places, std::span<float> out, Grain grain) {
         grain ? parallel::pdf(light, map, points, places, out, *grain) : hatbox::pdf(light, map, points, places, out);
       }),
-      invert(
-          [=](const Points& points, const Directions& directions, std::span<float> u, std::span<float> v, Grain grain) {
-            grain ? parallel::invert(light, map, points, directions, u, v, *grain)
-                  : hatbox::invert(light, map, points, directions, u, v);
-          }),
       solid_angle([=](const Points& points, std::span<float> out, Grain grain) {
         grain ? parallel::solid_angle(light, points, out, *grain) : hatbox::solid_angle(light, points, out);
-      }) {}
+      }) {
+  if (!has_inverse(map)) return;
+  invert = [=](const Points& points, const Directions& directions, std::span<float> u, std::span<float> v,
+               Grain grain) {
+    grain ? parallel::invert(light, map, points, directions, u, v, *grain)
+          : hatbox::invert(light, map, points, directions, u, v);
+  };
+}
 
 }  // namespace hatbox::test

@@ -59,7 +59,7 @@ std::vector<NamedColumn> call_everything(const Sampler& sampler, const Queries& 
   sampler.sample(points, queries.variates.view(), samples.view(), grain);
   sampler.pdf_of_direction(points, queries.directions(), of_direction, grain);
   sampler.pdf_of_place(points, queries.places(), at_place, grain);
-  sampler.invert(points, queries.directions(), u, v, grain);
+  if (sampler.invert) sampler.invert(points, queries.directions(), u, v, grain);
   sampler.solid_angle(points, omega, grain);
   std::vector<NamedColumn> result;
   for (std::size_t c = 0; c < SampleArrays::column_count; ++c) {
@@ -67,8 +67,10 @@ std::vector<NamedColumn> call_everything(const Sampler& sampler, const Queries& 
   }
   result.push_back({"pdf_of_direction", of_direction});
   result.push_back({"pdf_at_place", at_place});
-  result.push_back({"u", u});
-  result.push_back({"v", v});
+  if (sampler.invert) {
+    result.push_back({"u", u});
+    result.push_back({"v", v});
+  }
   result.push_back({"solid_angle", omega});
   return result;
 }
