@@ -4,6 +4,7 @@
 #include "mesh.h"
 #include "sampler.h"
 #include "scene_reader.h"
+#include "support/scene_text.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -17,59 +18,11 @@
 namespace wavefront {
 namespace {
 
-const std::string sensor = R"(<sensor type="perspective">
-  <transform name="toWorld"><lookAt origin="0 0 0" target="0, 0, -5" up="0, 1, 0"/></transform>
-  <float name="fov" value="90"/>
-</sensor>
-)";
-
 const std::string light = R"(<shape type="disk">
   <transform name="toWorld"><scale value="2"/><rotate x="1" angle="90"/><translate x="1" y="3" z="-4"/></transform>
   <emitter type="area"><rgb name="radiance" value="1, 2, 3"/></emitter>
 </shape>
 )";
-
-Scene parse(const std::string& body) {
-  return parse_scene("<scene version=\"0.5.0\">\n" + body + "</scene>", "test.xml");
-}
-
-/// What the reader says is wrong; empty if nothing.
-std::string error_of(const std::string& body) {
-  try {
-    parse(body);
-    return "";
-  } catch (const SceneError& error) {
-    return error.what();
-  }
-}
-
-void expect_near(const V3f& a, const V3f& b, float tolerance) {
-  EXPECT_LT((a - b).length(), tolerance) << a << " instead of " << b;
-}
-
-V3f to_v3f(const hatbox::Vec3& v) { return {v.x, v.y, v.z}; }
-
-/// A directory that is gone after the test.
-class ScratchDirectory {
- public:
-  ScratchDirectory() : path_(std::filesystem::path(testing::TempDir()) / unique_name()) {
-    std::filesystem::create_directories(path_);
-  }
-  ~ScratchDirectory() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchDirectory(const ScratchDirectory&) = delete;
-  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  static std::string unique_name() {
-    return std::string("hatbox_") + testing::UnitTest::GetInstance()->current_test_info()->name();
-  }
-  std::filesystem::path path_;
-};
 
 TEST(SceneReader, reads_the_spheres) {
   const Scene scene = read_scene(std::filesystem::path(WAVEFRONT_SCENES) / "spheres.xml");
@@ -81,9 +34,10 @@ TEST(SceneReader, reads_the_spheres) {
   EXPECT_EQ(scene.height, 480);
   const Emitter& emitter = scene.emitters[0];
   EXPECT_TRUE(emitter.double_sided);
-  expect_near(to_v3f(emitter.shape.center), {1, 3, 4}, 1e-6f);
-  EXPECT_NEAR(std::abs(emitter.shape.normal.z), 1, 1e-6);
-  EXPECT_FLOAT_EQ(emitter.shape.radius, 3);
+  const auto& disk = std::get<hatbox::Disk>(emitter.light);
+  expect_near(to_v3f(disk.center), {1, 3, 4}, 1e-6f);
+  EXPECT_NEAR(std::abs(disk.normal.z), 1, 1e-6);
+  EXPECT_FLOAT_EQ(disk.radius, 3);
   const auto& ground = std::get<Mesh>(scene.shapes[0].geometry);
   expect_near(ground.normals[0], {0, 1, 0}, 1e-6f);
   EXPECT_EQ(scene.shapes[0].reflectance, Rgb(0.7f));
@@ -91,7 +45,7 @@ TEST(SceneReader, reads_the_spheres) {
 
 TEST(SceneReader, applies_transforms_in_the_order_written) {
   const Scene scene = parse(sensor + light);
-  const hatbox::Disk& disk = scene.emitters.at(0).shape;
+  const auto& disk = std::get<hatbox::Disk>(scene.emitters.at(0).light);
   expect_near(to_v3f(disk.center), {1, 3, -4}, 1e-6f);
   expect_near(to_v3f(disk.normal), {0, -1, 0}, 1e-6f);
   EXPECT_FLOAT_EQ(disk.radius, 2);

@@ -32,7 +32,7 @@ struct Row {
 
 Reference render_reference(const Scene& scene, const RayTracer& tracer, const Comparison& comparison) {
   RenderSettings settings = comparison.settings;
-  settings.sampling = light_sampling("ld_radial");
+  settings.sampling = light_sampling("best");
   settings.light_samples = (comparison.reference_spp + 2 * settings.spp - 1) / (2 * settings.spp);
   settings.seed = hash(comparison.settings.seed, 1);
   Render first = render(scene, tracer, settings, "reference 1/2");
@@ -50,12 +50,12 @@ void write_picture(const Image& image, const std::filesystem::path& out, const s
 }
 
 void print_table(const std::vector<Row>& rows, std::uint32_t spp) {
-  std::printf("%-10s %5s %12s %15s %16s %12s %10s\n", "map", "spp", "MSE", "light stage ms", "ns/light sample", "share",
+  std::printf("%-16s %5s %12s %15s %16s %12s %10s\n", "map", "spp", "MSE", "light stage ms", "ns/light sample", "share",
               "seconds");
   for (const Row& row : rows) {
     char mse[32] = "-";
     if (row.mse) std::snprintf(mse, sizeof mse, "%.4e", *row.mse);
-    std::printf("%-10s %5u %12s %15.1f %16.2f %10.1f %% %10.3f\n", row.map.c_str(), spp, mse,
+    std::printf("%-16s %5u %12s %15.1f %16.2f %10.1f %% %10.3f\n", row.map.c_str(), spp, mse,
                 1e3 * row.render.light_seconds, row.ns_per_light_sample(), 100 * row.light_stage_share(),
                 row.render.seconds);
   }
@@ -99,6 +99,7 @@ void write_errors(const Comparison& comparison, const std::vector<Row>& rows, co
 }  // namespace
 
 void compare(const Scene& scene, const Comparison& comparison) {
+  for (const LightSampling& sampling : comparison.samplings) check_suits(sampling, scene);  // before the work begins
   const RayTracer tracer(scene);
   std::optional<Reference> reference;
   if (comparison.reference_spp > 0) {

@@ -21,8 +21,9 @@ struct Comparison {
 /// Writes <map>.exr, <map>.png and report.json; with a reference also reference.exr, reference.png, <map>_error.png
 /// and comparison.png. Prints the table to stdout.
 ///
-/// The reference is rendered with ld_radial, at the same places of the pixels as the maps and with other light samples
-/// (see RenderSettings). It is the mean of two halves with their own seeds; what they differ by tells its own error.
+/// The reference is rendered with the best map, at the same places of the pixels as the maps and with other light
+/// samples (see RenderSettings). It is the mean of two halves with their own seeds; what they differ by tells its own
+/// error.
 void compare(const Scene& scene, const Comparison& comparison);
 
 }  // namespace wavefront

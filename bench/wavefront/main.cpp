@@ -18,13 +18,14 @@ namespace {
 
 struct Options {
   std::string scene;
-  std::string map = "ld_radial";
+  std::string map = "best";
   std::vector<std::string> compare;
   std::uint32_t spp = 0;  // 0: as the scene says
   std::uint32_t reference_spp = 1024;
   std::pair<int, int> size = {0, 0};
   std::string out = ".";
   std::string sampler = "zero_two";
+  std::string choose = "solid-angle";
   std::uint64_t seed = 0;
   int threads = tbb::info::default_concurrency();
 };
@@ -60,6 +61,9 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--sampler", options.sampler, "zero_two or random")
       ->check(CLI::IsMember({"zero_two", "random"}))
       ->capture_default_str();
+  app.add_option("--choose", options.choose, "What a mesh light's triangles are chosen by: solid-angle or power")
+      ->check(CLI::IsMember({"solid-angle", "power"}))
+      ->capture_default_str();
   app.add_option("--seed", options.seed, "Seed of the light samples")->capture_default_str();
   app.add_option("--threads", options.threads, "Threads")->check(CLI::Range(1, 4096))->capture_default_str();
 }
@@ -69,8 +73,9 @@ void run(const Options& options) {
                                     static_cast<std::size_t>(options.threads));
   wavefront::Comparison comparison;
   comparison.scene_name = options.scene;
+  const auto choice = options.choose == "power" ? wavefront::Choice::power : wavefront::Choice::solid_angle;
   for (const std::string& map : options.compare.empty() ? std::vector{options.map} : options.compare)
-    comparison.samplings.push_back(wavefront::light_sampling(map));
+    comparison.samplings.push_back(wavefront::light_sampling(map, choice));
   comparison.reference_spp = options.compare.empty() ? 0 : options.reference_spp;
   comparison.out = options.out;
 
@@ -95,7 +100,7 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   try {
-    CLI::App app("Renders direct light from disk lights, sampled by hatbox, and measures the error.", "wavefront");
+    CLI::App app("Renders direct light from area lights, sampled by hatbox, and measures the error.", "wavefront");
     Options options;
     add_options(app, options);
     try {

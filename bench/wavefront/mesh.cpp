@@ -93,4 +93,26 @@ Mesh make_rectangle(const M44d& to_world) {
   return mesh;
 }
 
+hatbox::Rectangle rectangle_light(const M44d& to_world) {
+  const V3f corner = transform_point({-1, -1, 0}, to_world);
+  V3f edges[2];
+  to_world.multDirMatrix(V3f(2, 0, 0), edges[0]);
+  to_world.multDirMatrix(V3f(0, 2, 0), edges[1]);
+  if (edges[0].cross(edges[1]).dot(transform_normal({0, 0, 1}, to_world)) < 0) std::swap(edges[0], edges[1]);
+  return {to_vec3(corner), to_vec3(edges[0]), to_vec3(edges[1])};
+}
+
+MeshLight mesh_light(const Mesh& mesh) {
+  MeshLight light;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const V3f &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
+    hatbox::Triangle triangle{to_vec3(p), to_vec3(q), to_vec3(r)};
+    const bool turned =
+        !mesh.normals.empty() && (q - p).cross(r - p).dot(mesh.normals[a] + mesh.normals[b] + mesh.normals[c]) < 0;
+    if (turned) std::swap(triangle.b, triangle.c);
+    if (hatbox::check(triangle).empty()) light.triangles.push_back(triangle);
+  }
+  return light;
+}
+
 }  // namespace wavefront

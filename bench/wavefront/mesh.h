@@ -1,4 +1,4 @@
-// Triangle meshes: Wavefront OBJ files and the rectangle.
+// Triangle meshes: Wavefront OBJ files and the rectangle; both as lights.
 #pragma once
 
 #include "scene.h"
@@ -13,6 +13,13 @@ Mesh load_obj(const std::filesystem::path& path, const Imath::M44d& to_world, bo
 
 /// [-1, 1]² in the plane z = 0, facing +z.
 Mesh make_rectangle(const Imath::M44d& to_world);
+
+/// The same as a light; not checked. A mirroring transform turns the rectangle, not its normal.
+hatbox::Rectangle rectangle_light(const Imath::M44d& to_world);
+
+/// The triangles of a mesh, without those that cannot be lights. Their front is that of the mesh's normals, if it has
+/// any.
+MeshLight mesh_light(const Mesh& mesh);
 
 /// Transforms a normal, to unit length.
 V3f transform_normal(const V3f& normal, const Imath::M44d& to_world);

@@ -16,8 +16,6 @@ void set_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format, cons
   std::copy(data.begin(), data.end(), static_cast<T*>(buffer));
 }
 
-V3f to_v3f(const hatbox::Vec3& v) { return {v.x, v.y, v.z}; }
-
 /// The hit itself is only as good as `distance` in float; what the shape says about its surface is better.
 V3f snap_to_plane(const V3f& hit, const V3f& on_plane, const V3f& normal) {
   return hit - normal * normal.dot(hit - on_plane);
@@ -101,7 +99,7 @@ std::optional<SurfacePoint> RayTracer::surface(const RTCRayHit16& rays, unsigned
   const V3f place = origin + ray.tfar[lane] * direction;
   V3f flat = V3f(hit.Ng_x[lane], hit.Ng_y[lane], hit.Ng_z[lane]).normalized();
   const Shape& shape = *shapes_[hit.geomID[lane]];
-  SurfacePoint point{place, flat, place, &shape, true};
+  SurfacePoint point{place, flat, place, &shape, true, true};
   if (const auto* sphere = std::get_if<Sphere>(&shape.geometry)) {
     point.normal = flat = (place - sphere->center).normalized();
     point.position = sphere->center + sphere->radius * flat;
@@ -117,6 +115,7 @@ std::optional<SurfacePoint> RayTracer::surface(const RTCRayHit16& rays, unsigned
   const float size = std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z), ray.tfar[lane]});
   point.shadow_origin = point.position + flat * (0x1p-17f * size);
   point.outside = point.normal.dot(direction) < 0;
+  point.front = flat.dot(direction) < 0;
   return point;
 }
 

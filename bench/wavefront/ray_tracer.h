@@ -19,6 +19,7 @@ struct SurfacePoint {
   V3f shadow_origin;  // moved off the surface, on the side of its normal, by more than rounding
   const Shape* shape;
   bool outside;  // the ray came from the side of the normal
+  bool front;    // the same for the normal of the geometry: the side on which lights shine
 };
 
 class RayTracer {

@@ -21,6 +21,9 @@ namespace wavefront {
 using Imath::V3f;
 using Rgb = Imath::C3f;
 
+inline V3f to_v3f(const hatbox::Vec3& v) { return {v.x, v.y, v.z}; }
+inline hatbox::Vec3 to_vec3(const V3f& v) { return {v.x, v.y, v.z}; }
+
 struct Sphere {
   V3f center;
   float radius;
@@ -39,8 +42,14 @@ struct Shape {
   std::optional<std::size_t> emitter;  // index into Scene::emitters
 };
 
+struct MeshLight {
+  std::vector<hatbox::Triangle> triangles;  // at least one; valid, and turned so that the cosine is > 0 in front
+};
+
+using Light = std::variant<hatbox::Disk, hatbox::Rectangle, MeshLight>;
+
 struct Emitter {
-  hatbox::Disk shape;
+  Light light;
   Rgb radiance;
   bool double_sided;
 };

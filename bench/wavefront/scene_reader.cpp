@@ -36,7 +36,7 @@ class Reader {
       }
     }
     if (!has_sensor) root.fail("has no sensor");
-    if (scene_.emitters.empty()) root.fail("has no light: a disk with an area emitter is needed");
+    if (scene_.emitters.empty()) root.fail("has no light: a disk, rectangle or obj with an area emitter is needed");
     return std::move(scene_);
   }
 
@@ -110,7 +110,7 @@ class Reader {
       if (child.tag() == "bsdf") shape.reflectance = read_bsdf(child);
       if (child.tag() == "emitter") {
         shape.emitter = scene_.emitters.size();
-        scene_.emitters.push_back(read_emitter(child, shape));
+        scene_.emitters.push_back(read_emitter(child, make_light(element, shape, to_world(children))));
       }
     }
     scene_.shapes.push_back(std::move(shape));
@@ -155,13 +155,29 @@ class Reader {
     return scale;
   }
 
-  Emitter read_emitter(const XmlElement& element, const Shape& shape) {
+  Light make_light(const XmlElement& element, const Shape& shape, const M44d& to_world) {
+    const auto checked = [&](const auto& light) {
+      if (const auto wrong = hatbox::check(light); !wrong.empty())
+        element.fail("this " + std::string(element.type()) + " cannot be a light: " + std::string(wrong));
+      return light;
+    };
+    if (const auto* disk = std::get_if<hatbox::Disk>(&shape.geometry)) return checked(*disk);
+    if (element.type() == "rectangle") return checked(rectangle_light(to_world));
+    const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+    if (!mesh) element.fail("only a disk, a rectangle or an obj can be a light");
+    MeshLight light = mesh_light(*mesh);
+    if (light.triangles.empty()) element.fail("this obj cannot be a light: it has no triangle with an area");
+    if (const std::size_t missing = mesh->triangles.size() - light.triangles.size(); missing > 0)
+      scene_.ignored.push_back(std::to_string(missing) + " degenerate triangle(s) of the obj light (line " +
+                               std::to_string(element.line()) + ")");
+    return light;
+  }
+
+  Emitter read_emitter(const XmlElement& element, Light light) {
     expect_type(element, {"area"});
-    const auto* disk = std::get_if<hatbox::Disk>(&shape.geometry);
-    if (!disk) element.fail("only a disk can be a light");
-    if (const auto wrong = hatbox::check(*disk); !wrong.empty()) element.fail(std::string(wrong));
     Properties properties(element, element.children({}));
-    Emitter emitter{*disk, properties.colour("radiance", Rgb(1.0f)), properties.boolean("doubleSided", false)};
+    Emitter emitter{std::move(light), properties.colour("radiance", Rgb(1.0f)),
+                    properties.boolean("doubleSided", false)};
     properties.note_unused(scene_.ignored);
     return emitter;
   }

@@ -1,8 +1,9 @@
-// Reads the part of Mitsuba 0.5's scene format that scenes with diffuse surfaces under disk lights need:
+// Reads the part of Mitsuba 0.5's scene format that scenes with diffuse surfaces under area lights need:
 //   integrator (direct, voldirect)   hideEmitters
 //   sensor (perspective)             toWorld, fov, fovAxis; sampler sampleCount; film width, height
 //   bsdf (diffuse)                   reflectance; named by id and used by <ref>
-//   shape                            sphere, rectangle, disk, obj, with toWorld; emitter (area): radiance, doubleSided
+//   shape                            sphere, rectangle, disk, obj, with toWorld; emitter (area, not on a sphere):
+//                                      radiance, doubleSided
 // An element or a type that is not listed is an error; a property that is not is listed in Scene::ignored.
 #pragma once
 

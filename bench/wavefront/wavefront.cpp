@@ -85,7 +85,9 @@ Renderer::Renderer(const Scene& scene, const RayTracer& tracer, const RenderSett
       light_sampler_(settings.sampler, settings.spp * settings.light_samples),
       pixels_per_block_(pixels_per_block(settings)),
       blocks_(blocks_per_chunk),
-      result_{Image(settings.width, settings.height)} {}
+      result_{Image(settings.width, settings.height)} {
+  check_suits(settings.sampling, scene);
+}
 
 Render Renderer::run(const std::string& label) {
   const auto start = Clock::now();
@@ -153,7 +155,7 @@ void Renderer::trace_camera_packet(std::size_t first_path, unsigned lanes, Block
 void Renderer::take_hit(const SurfacePoint& point, std::size_t path, Block& block) {
   if (point.shape->emitter) {
     const Emitter& emitter = scene_.emitters[*point.shape->emitter];
-    if (point.outside || emitter.double_sided)
+    if (point.front || emitter.double_sided)
       result_.image.pixels[pixel_of(path)] += emitter.radiance / static_cast<float>(settings_.spp);
   }
   if (point.outside) queue_hit(point, path, block);
@@ -225,7 +227,7 @@ void Renderer::sample_light(const Emitter& emitter) {
   hatbox::Samples samples{light_.x, light_.y, light_.z, light_.distance, light_.pdf};
   if (!emitter.double_sided) samples.cosine = light_.cosine;
   const auto start = Clock::now();
-  settings_.sampling.sample(emitter.shape, points, variates, samples);
+  settings_.sampling.sample(emitter.light, points, variates, samples);
   result_.light_seconds += seconds_since(start);
   result_.light_samples += light_.u.size();
 }

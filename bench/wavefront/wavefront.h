@@ -24,7 +24,7 @@ struct RenderSettings {
   int height;
   std::uint32_t spp;
   std::uint32_t light_samples = 1;
-  LightSampling sampling = light_sampling("ld_radial");
+  LightSampling sampling = light_sampling("best");
   SamplerKind sampler = SamplerKind::zero_two;
   std::uint64_t seed = 0;  // of the light samples
 };
