@@ -1,10 +1,11 @@
 // Rectangles and meshes as lights of the renderer in bench/wavefront.
+#include "compare.h"
 #include "mesh.h"
 #include "support/random.h"
 #include "support/scene_text.h"
-#include "wavefront.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <fstream>
@@ -217,6 +218,21 @@ TEST(Render, rectangle_and_mesh_lights_shine_in_front) {
     EXPECT_EQ(first_pixel(scene_of(turns[0], true)), Rgb(0.0f));
     EXPECT_GT(first_pixel(scene_of(turns[1], true)).y, 0.1f);
   }
+}
+
+TEST(Compare, area_sampling_loses_next_to_a_rectangle) {
+  const ScratchDirectory scratch;
+  const Scene scene = read_scene(std::filesystem::path(WAVEFRONT_SCENES) / "spheres-rectangle.xml");
+  Comparison comparison;
+  for (const char* map : {"area", "spherical"}) comparison.samplings.push_back(light_sampling(map));
+  comparison.reference_spp = 64;
+  comparison.settings = {.width = 80, .height = 60, .spp = 9};
+  comparison.out = scratch.path();
+  testing::internal::CaptureStdout();
+  compare(scene, comparison);
+  testing::internal::GetCapturedStdout();
+  const auto report = nlohmann::json::parse(std::ifstream(scratch.path() / "report.json"));
+  EXPECT_GT(report["rows"][0]["mse"].get<double>(), 30 * report["rows"][1]["mse"].get<double>());
 }
 
 }  // namespace
