@@ -1,6 +1,5 @@
 // Rectangles and meshes as lights of the renderer in bench/wavefront.
 #include "compare.h"
-#include "mesh.h"
 #include "support/random.h"
 #include "support/scene_text.h"
 
@@ -57,6 +56,15 @@ TEST(SceneReader, skips_triangles_without_an_area) {
   expect_near(normal, {0, -24, 0}, 1e-5f);
   ASSERT_EQ(scene.ignored.size(), 1u);
   EXPECT_EQ(scene.ignored[0], "1 degenerate triangle(s) of the obj light (line 6)");
+}
+
+TEST(SceneReader, a_mirror_does_not_turn_the_light_of_a_mesh_with_normals) {
+  const ScratchDirectory scratch;
+  const auto path = scratch.path() / "triangle.obj";
+  std::ofstream(path) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n";
+  const Scene scene = parse(sensor + obj(path, R"(<scale x="-1"/>)"));
+  const hatbox::Triangle& light = std::get<MeshLight>(scene.emitters.at(0).light).triangles.at(0);
+  expect_near((to_v3f(light.b) - to_v3f(light.a)).cross(to_v3f(light.c) - to_v3f(light.a)), {0, 0, 1}, 1e-6f);
 }
 
 TEST(SceneReader, refuses_what_cannot_be_a_light) {
