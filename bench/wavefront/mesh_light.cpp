@@ -100,15 +100,15 @@ class Block {
     std::vector<std::size_t> next = first_;
     slot_.resize(chosen_.size());
     for (auto& column : in_) column.resize(chosen_.size());
-    for (std::size_t sample = 0; sample < chosen_.size(); ++sample) {
-      const std::size_t slot = slot_[sample] = next[chosen_[sample].triangle]++;
-      const std::size_t point = begin_ + sample % count_;
-      in_[0][slot] = points.x[point];
-      in_[1][slot] = points.y[point];
-      in_[2][slot] = points.z[point];
-      in_[3][slot] = chosen_[sample].rest;
-      in_[4][slot] = variates.v[sample / count_ * n + point];
-    }
+    for (std::size_t sample = 0, j = 0; j < k; ++j)
+      for (std::size_t point = begin_; point < begin_ + count_; ++point, ++sample) {
+        const std::size_t slot = slot_[sample] = next[chosen_[sample].triangle]++;
+        in_[0][slot] = points.x[point];
+        in_[1][slot] = points.y[point];
+        in_[2][slot] = points.z[point];
+        in_[3][slot] = chosen_[sample].rest;
+        in_[4][slot] = variates.v[j * n + point];
+      }
   }
 
   void sample_triangles(const hatbox::Points& points, const hatbox::Samples& out) {
@@ -130,10 +130,11 @@ class Block {
     }
     for (std::size_t sample = 0; sample < chosen_.size(); ++sample)
       out_[4][slot_[sample]] *= chosen_[sample].probability;
-    for (std::size_t c = 0; c < outputs; ++c)
-      if (!wanted[c].empty())
-        for (std::size_t sample = 0; sample < chosen_.size(); ++sample)
-          wanted[c][sample / count_ * points.x.size() + begin_ + sample % count_] = out_[c][slot_[sample]];
+    for (std::size_t c = 0; c < outputs; ++c) {
+      if (wanted[c].empty()) continue;
+      for (std::size_t sample = 0, first = begin_; sample < chosen_.size(); first += points.x.size())
+        for (std::size_t i = 0; i < count_; ++i, ++sample) wanted[c][first + i] = out_[c][slot_[sample]];
+    }
   }
 
   const MeshLight& light_;
