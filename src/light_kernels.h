@@ -25,16 +25,30 @@ HATBOX_INLINE inline void store_sample(const SampleJob<Light>& job, const Memory
   put(job.cosine, sample.cosine);
 }
 
+/// A map's set-up as a function of its own, for queries and remainders: its text is long, and compiling it into each of
+/// their loops would take several times as long and gain little.
+template <template <class> class Map, class Light, class V>
+[[gnu::noinline]] Map<V> set_up(const Light& light, V x, V y, V z) {
+  return Map<V>(light, x, y, z);
+}
+
 template <template <class> class Map, class Light>
 void sample(const SampleJob<Light>& shared_job, std::size_t begin, std::size_t end) {
   const SampleJob<Light> job = shared_job;  // our own copy, which no store through an output can change
-  for_each_packet(begin, end, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
-    using V = VectorOf<decltype(memory)>;
-    const Map<V> map(job.light, memory.load(job.point[0] + i), memory.load(job.point[1] + i),
-                     memory.load(job.point[2] + i));
+  const auto sample_all = [&](const auto& map, const auto& memory, std::size_t i) HATBOX_INLINE {
     for (std::size_t j = 0; j < job.samples_per_point; ++j) {
       const std::size_t at = j * job.points + i;
       store_sample(job, memory, at, map.sample(memory.load(job.u + at), memory.load(job.v + at)));
+    }
+  };
+  for_each_packet(begin, end, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
+    using Memory = std::remove_cvref_t<decltype(memory)>;
+    using V = typename Memory::Vector;
+    const auto load = [&](int axis) HATBOX_INLINE { return memory.load(job.point[axis] + i); };
+    if constexpr (Memory::whole) {
+      sample_all(Map<V>(job.light, load(0), load(1), load(2)), memory, i);
+    } else {
+      sample_all(set_up<Map>(job.light, load(0), load(1), load(2)), memory, i);
     }
   });
 }
@@ -44,9 +58,8 @@ template <template <class> class Map, class Light, class Answer>
 HATBOX_INLINE inline void for_each_query(const QueryJob<Light>& job, std::size_t begin, std::size_t end,
                                          const Answer& answer) {
   for_each_narrow_packet(begin, end, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
-    using V = VectorOf<decltype(memory)>;
-    const Map<V> map(job.light, memory.load(job.point[0] + i), memory.load(job.point[1] + i),
-                     memory.load(job.point[2] + i));
+    const auto map = set_up<Map>(job.light, memory.load(job.point[0] + i), memory.load(job.point[1] + i),
+                                 memory.load(job.point[2] + i));
     for (std::size_t j = 0; j < job.queries_per_point; ++j) answer(map, memory, j * job.points + i);
   });
 }

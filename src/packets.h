@@ -14,6 +14,7 @@ inline constexpr std::size_t lanes = Lanes<V>::count;
 template <class V>
 struct WholePacket {
   using Vector = V;
+  static constexpr bool whole = true;
   V load(const float* from) const { return hatbox::HATBOX_ISA::load(from, V()); }
   void store(float* to, V value) const { hatbox::HATBOX_ISA::store(to, value); }
 };
@@ -22,6 +23,7 @@ struct WholePacket {
 template <class V>
 struct AnyPacket {
   using Vector = V;
+  static constexpr bool whole = false;
   V load(const float* from) const {
     if (count == lanes<V>) return hatbox::HATBOX_ISA::load(from, V());
     float padded[lanes<V>] = {};
