@@ -5,6 +5,7 @@
 #include "maps.h"
 
 #include "light_constants.h"
+#include "support/jacobian.h"
 #include "support/rectangles.h"
 #include "support/statistics.h"
 #include "support/workloads.h"
@@ -12,61 +13,26 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace hatbox::test {
 namespace {
 
-using rectangle_in_double::LightSample;
-using Pair = std::array<double, 2>;
-
-Pair operator-(const Pair& a, const Pair& b) { return {a[0] - b[0], a[1] - b[1]}; }
-Pair operator*(double s, const Pair& a) { return {s * a[0], s * a[1]}; }
-double largest(const Pair& a) { return std::max(std::abs(a[0]), std::abs(a[1])); }
-
-/// f'(0) by central differences, extrapolated to a step of 0 from ever smaller ones; of all the extrapolations the one
-/// that agrees best with those it was made from (Ridders 1982).
-template <class F>
-Pair derivative(const F& f, double largest_step) {
-  constexpr std::size_t levels = 10;
-  constexpr double ratio = 2;
-  std::array<Pair, levels> previous{}, row{};
-  Pair best{};
-  double best_error = std::numeric_limits<double>::infinity();
-  double h = largest_step;
-  for (std::size_t i = 0; i < levels && best_error > 1e-11 * largest(best); ++i, h /= ratio) {
-    row[0] = 1 / (2 * h) * (f(h) - f(-h));
-    double factor = 1;
-    for (std::size_t j = 1; j <= i; ++j) {
-      factor *= ratio * ratio;
-      row[j] = 1 / (factor - 1) * (factor * row[j - 1] - previous[j - 1]);
-      const double error = std::max(largest(row[j] - row[j - 1]), largest(row[j] - previous[j - 1]));
-      if (error < best_error) {
-        best_error = error;
-        best = row[j];
-      }
-    }
-    previous = row;
-  }
-  return best;
-}
+namespace kernels = rectangle_in_double;
 
 /// Of the map at (u, v): |∂(s,t)/∂(u,v)|·|edges|·cosine/distance² is the solid angle it makes of a piece of the square.
 template <class Map>
 double jacobian_error(const Map& map, double area, double u, double v) {
   const double step_u = 0.25 * std::min(u, 1 - u), step_v = 0.25 * std::min(v, 1 - v);
   const auto place = [&](double du, double dv) {
-    const LightSample<double> sample = map.sample(u + du, v + dv);
-    return Pair{sample.place.s, sample.place.t};
+    const auto sample = map.sample(u + du, v + dv);
+    return Components<2>{sample.place.s, sample.place.t};
   };
-  const Pair by_u = derivative([&](double d) { return place(d, 0); }, step_u);
-  const Pair by_v = derivative([&](double d) { return place(0, d); }, step_v);
-  const LightSample<double> here = map.sample(u, v);
-  const double stretch = std::abs(by_u[0] * by_v[1] - by_u[1] * by_v[0]);
+  const double stretch = parallelogram(derivative([&](double d) { return place(d, 0); }, step_u),
+                                       derivative([&](double d) { return place(0, d); }, step_v));
+  const auto here = map.sample(u, v);
   return std::abs(stretch * area * std::abs(here.cosine) / (here.distance * here.distance) * here.pdf - 1);
 }
 
@@ -95,9 +61,8 @@ class RectangleJacobianSlow : public testing::TestWithParam<std::tuple<Pose, Sha
   Shape shape() const { return std::get<Shape>(GetParam()); }
 };
 
-TEST_P(RectangleJacobianSlow, Area) { expect_honest<rectangle_in_double::RectangleArea>(pose(), shape()); }
-TEST_P(RectangleJacobianSlow, Spherical) { expect_honest<rectangle_in_double::RectangleSpherical>(pose(), shape()); }
-
+TEST_P(RectangleJacobianSlow, Area) { expect_honest<kernels::RectangleArea>(pose(), shape()); }
+TEST_P(RectangleJacobianSlow, Spherical) { expect_honest<kernels::RectangleSpherical>(pose(), shape()); }
 INSTANTIATE_TEST_SUITE_P(Every, RectangleJacobianSlow,
                          testing::Combine(testing::Values(Pose::canonical, Pose::general),
                                           testing::ValuesIn(all_shapes)),

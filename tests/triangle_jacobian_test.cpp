@@ -4,72 +4,45 @@
 #define HATBOX_ISA in_double
 #include "support/triangle_reference.h"
 
+#include "support/jacobian.h"
 #include "support/statistics.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 namespace hatbox::test {
 namespace {
 
 using reference::Vector;
 
-double size(const Vector<double>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-/// f'(0) by central differences, extrapolated to a step of 0 from ever smaller ones; of all the extrapolations the one
-/// that agrees best with those it was made from (Ridders 1982).
-template <class F>
-Vector<double> derivative(const F& f, double h) {
-  constexpr std::size_t levels = 8;
-  constexpr double ratio = 2.5;
-  std::array<Vector<double>, levels> previous{}, row{};
-  Vector<double> best{};
-  double best_error = std::numeric_limits<double>::infinity();
-  while (size(f(h) - f(-h)) > 0.05) h /= 2;  // the map bends on the scale of what it has swept
-  for (std::size_t i = 0; i < levels && best_error > 1e-12 * size(best); ++i, h /= ratio) {
-    row[0] = 1 / (2 * h) * (f(h) - f(-h));
-    double factor = 1;
-    for (std::size_t j = 1; j <= i; ++j) {
-      factor *= ratio * ratio;
-      row[j] = 1 / (factor - 1) * (factor * row[j - 1] - previous[j - 1]);
-      const double error = std::max(size(row[j] - row[j - 1]), size(row[j] - previous[j - 1]));
-      if (error < best_error) {
-        best_error = error;
-        best = row[j];
-      }
-    }
-    previous = row;
-  }
-  return best;
-}
-
 /// The area that du dv is stretched over, by a function of (u, v).
 template <class F>
-Vector<double> stretch(const F& f, double u, double v, double step) {
-  const Vector<double> by_u = derivative([&](double d) { return f(u + d, v); }, step);
-  const Vector<double> by_v = derivative([&](double d) { return f(u, v + d); }, step);
-  return cross(by_u, by_v);
+double stretch(const F& f, double u, double v, double step) {
+  return parallelogram(derivative([&](double d) { return f(u + d, v); }, step),
+                       derivative([&](double d) { return f(u, v + d); }, step));
 }
 
 template <class Map>
 double error_by_direction(const Map& map, double u, double v, double step) {
-  const auto at = [&](double x, double y) { return direction_of(map.sample(x, y)); };
-  return std::abs(length(stretch(at, u, v, step)) * map.sample(u, v).pdf - 1);
+  const auto at = [&](double x, double y) {
+    const auto sample = map.sample(x, y);
+    return Direction{sample.direction[0], sample.direction[1], sample.direction[2]};
+  };
+  return std::abs(stretch(at, u, v, step) * map.sample(u, v).pdf - 1);
 }
 
 template <class Map>
 double error_by_place(const Map& map, const TriangleFrom& seen, double u, double v, double step) {
   const auto at = [&](double x, double y) {
     const auto place = map.sample(x, y).place;
-    return Vector<double>{place.s, place.t, 0};
+    return Components<2>{place.s, place.t};
   };
   const auto sample = map.sample(u, v);
   const Vector<double> p = seen.to(sample.place.s, sample.place.t);
   const auto& corner = seen.vertices;
   const double volume = std::abs(dot(p, cross(corner[1] - corner[0], corner[2] - corner[0])));
-  const double solid_angle = std::abs(stretch(at, u, v, step).z) * volume / std::pow(length(p), 3);
+  const double solid_angle = stretch(at, u, v, step) * volume / std::pow(length(p), 3);
   return std::abs(solid_angle * sample.pdf - 1);
 }
 

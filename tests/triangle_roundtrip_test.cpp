@@ -4,6 +4,7 @@
 #include "support/triangle_reference.h"
 
 #include "support/bits.h"
+#include "support/conditioning.h"
 #include "support/isa_fixture.h"
 #include "support/random.h"
 #include "support/sampler_calls.h"
@@ -42,44 +43,24 @@ class TriangleRoundTrip : public DiskTest {
   }
 };
 
-/// How much (u, v) changes within an ulp of 1 along each axis: what a float direction, made in axes that are not the
-/// light's, hides.
-double inverse_conditioning(const Triangle& light, TriangleMap map, const Vec3& point, const Vector<double>& d) {
-  return with_triangle_map(map, light, point, [&](const auto& m) {
-    const auto at = [&](const Vector<double>& q) {
-      const double direction[3] = {q.x, q.y, q.z};
-      return m.invert(direction);
-    };
-    const auto here = at(d);
-    double sum = 0;
-    for (const auto coordinate : {&Vector<double>::x, &Vector<double>::y, &Vector<double>::z}) {
-      constexpr double share = 1e-2;
-      Vector<double> moved = d;
-      moved.*coordinate += share * 0x1p-23;
-      const auto there = at(moved);
-      sum += std::max(std::abs(there.u - here.u), std::abs(there.v - here.v)) / share;
-    }
-    return sum;
-  });
-}
-
 TEST_P(TriangleRoundTrip, InvertUndoesSample) {
-  for_every_sampling(
-      Workload::w1, [&](const std::string& what, const Triangle& light, TriangleMap map, const PointArrays& points,
-                        const VariateArrays& variates, const SampleArrays& samples) {
-        std::vector<float> u(samples.size()), v(samples.size());
-        std::vector<double> errors;
-        invert(light, map, points.view(), samples.directions(), u, v);
-        for (std::size_t i = 0; i < u.size(); ++i) {
-          double error = std::max(std::abs(u[i] - variates.u[i]), std::abs(v[i] - variates.v[i]));
-          if (what != "right" && error > 1e-4) {  // a sliver is narrower than 1e4 float directions
-            error -= 4 * inverse_conditioning(light, map, points[i % points.size()], samples.direction(i));
-          }
-          errors.push_back(std::max(error, 0.0));
-        }
-        report_quantiles("uv_error_" + what + "_" + name(map), errors);
-        EXPECT_LE(quantile(errors, 0.999), 1e-4);
-      });
+  for_every_sampling(Workload::w1, [&](const std::string& what, const Triangle& light, TriangleMap map,
+                                       const PointArrays& points, const VariateArrays& variates,
+                                       const SampleArrays& samples) {
+    std::vector<float> u(samples.size()), v(samples.size());
+    std::vector<double> errors;
+    invert(light, map, points.view(), samples.directions(), u, v);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      double error = std::max(std::abs(u[i] - variates.u[i]), std::abs(v[i] - variates.v[i]));
+      if (what != "right" && error > 1e-4) {  // a sliver is narrower than 1e4 float directions
+        error -= 4 * with_triangle_map(map, light, points[i % points.size()],
+                                       [&](const auto& m) { return inverse_conditioning(m, samples.direction(i)); });
+      }
+      errors.push_back(std::max(error, 0.0));
+    }
+    report_quantiles("uv_error_" + what + "_" + name(map), errors);
+    EXPECT_LE(quantile(errors, 0.999), 1e-4);
+  });
 }
 
 TEST_P(TriangleRoundTrip, InvertStaysInTheSquareOrMisses) {

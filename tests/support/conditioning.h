@@ -6,6 +6,7 @@
 
 #include <hatbox/ellipse.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hatbox::test {
@@ -42,6 +43,27 @@ double pdf_conditioning(const Reference& seen, Map map, const reference::Vector<
     moved.*coordinate += 1e-3 * ulp(static_cast<float>(moved.*coordinate));
     const double there = seen.pdf(map, moved);
     if (there > 0 && here > 0) sum += std::abs(there / here - 1) / 1e-3;
+  }
+  return sum;
+}
+
+/// How much (u, v) changes within an ulp of 1 along each axis: what a float direction, made in axes that are not the
+/// light's, hides from the inverse of a map, which must be one in double.
+template <class Map>
+double inverse_conditioning(const Map& map, const reference::Vector<double>& d) {
+  const auto at = [&](const reference::Vector<double>& q) {
+    const double direction[3] = {q.x, q.y, q.z};
+    return map.invert(direction);
+  };
+  const auto here = at(d);
+  double sum = 0;
+  for (const auto coordinate :
+       {&reference::Vector<double>::x, &reference::Vector<double>::y, &reference::Vector<double>::z}) {
+    constexpr double share = 1e-2;
+    reference::Vector<double> moved = d;
+    moved.*coordinate += share * 0x1p-23;
+    const auto there = at(moved);
+    sum += std::max(std::abs(there.u - here.u), std::abs(there.v - here.v)) / share;
   }
   return sum;
 }

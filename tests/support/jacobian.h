@@ -10,10 +10,27 @@
 
 namespace hatbox::test {
 
-using Direction = std::array<double, 3>;
+/// What is differentiated: a direction, or a place on the light.
+template <std::size_t N>
+using Components = std::array<double, N>;
+using Direction = Components<3>;
 
-inline Direction operator-(const Direction& a, const Direction& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-inline Direction operator*(double s, const Direction& a) { return {s * a[0], s * a[1], s * a[2]}; }
+template <std::size_t N>
+Components<N> operator-(Components<N> a, const Components<N>& b) {
+  for (std::size_t i = 0; i < N; ++i) a[i] -= b[i];
+  return a;
+}
+
+template <std::size_t N>
+Components<N> operator*(double s, Components<N> a) {
+  for (double& x : a) x *= s;
+  return a;
+}
+
+/// Of the parallelogram that two derivatives span.
+inline double parallelogram(const Components<2>& a, const Components<2>& b) {
+  return std::abs(a[0] * b[1] - a[1] * b[0]);
+}
 
 inline double parallelogram(const Direction& a, const Direction& b) {
   const double x = a[1] * b[2] - a[2] * b[1], y = a[2] * b[0] - a[0] * b[2], z = a[0] * b[1] - a[1] * b[0];
@@ -21,24 +38,27 @@ inline double parallelogram(const Direction& a, const Direction& b) {
 }
 
 /// Of their difference.
-inline double largest_component(const Direction& a, const Direction& b) {
-  const Direction d = a - b;
-  return std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
+template <std::size_t N>
+double largest_component(const Components<N>& a, const Components<N>& b) {
+  double result = 0;
+  for (const double x : a - b) result = std::max(result, std::abs(x));
+  return result;
 }
 
 /// f'(0) by central differences, extrapolated to a step of 0 from ever smaller ones; of all the extrapolations the one
 /// that agrees best with those it was made from (Ridders 1982). No one step would do: 1e-5 above the disk a direction
 /// turns over within 1e-5 of the square, and far from it rounding asks for a step a thousand times that.
 template <class F>
-Direction derivative(const F& f, double largest_step) {
+auto derivative(const F& f, double largest_step) {
+  using Value = decltype(f(largest_step));
   constexpr std::size_t levels = 8;
   constexpr double ratio = 2.5;
-  std::array<Direction, levels> previous{}, row{};
-  Direction best{};
+  std::array<Value, levels> previous{}, row{};
+  Value best{};
   double best_error = std::numeric_limits<double>::infinity();
   double h = largest_step;
   while (largest_component(f(h), f(-h)) > 0.05) h /= 2;  // the map bends on the scale of the directions it has swept
-  for (std::size_t i = 0; i < levels && best_error > 1e-11 * largest_component(best, {}); ++i, h /= ratio) {
+  for (std::size_t i = 0; i < levels && best_error > 1e-11 * largest_component(best, Value{}); ++i, h /= ratio) {
     row[0] = 1 / (2 * h) * (f(h) - f(-h));
     double factor = 1;
     for (std::size_t j = 1; j <= i; ++j) {
