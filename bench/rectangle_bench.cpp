@@ -20,6 +20,7 @@ namespace {
 constexpr Rectangle light{{-0.5f, -0.5f, 0}, {1, 0, 0}, {0, 1, 0}};
 constexpr std::size_t in_cache = 4096;
 constexpr std::pair<const char*, RectangleMap> maps[] = {{"area", RectangleMap::area},
+                                                         {"two_triangles", RectangleMap::two_triangles},
                                                          {"spherical", RectangleMap::spherical}};
 
 /// Made once for each number of samples a point and shared by all cases.

@@ -53,7 +53,7 @@ struct MapKernels {
 
 inline constexpr std::size_t disk_map_count = 7;
 inline constexpr std::size_t ellipse_map_count = 3;
-inline constexpr std::size_t rectangle_map_count = 2;
+inline constexpr std::size_t rectangle_map_count = 3;
 inline constexpr std::size_t triangle_map_count = 2;
 
 /// One call of an elliptic integral: the arrays of its arguments, in the order of the call.

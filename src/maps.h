@@ -14,6 +14,7 @@
 #include "rejection_map.h"
 #include "triangle_area_map.h"
 #include "triangle_map.h"
+#include "two_triangles_map.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {
@@ -46,6 +47,8 @@ using EllipseRadial = RadialMap<EllipseCone<V>, EtaHybrid<V>, PolarChart>;
 
 template <class V>
 using RectangleArea = RectangleAreaMap<V>;
+template <class V>
+using RectangleTwoTriangles = TwoTriangles<V>;
 template <class V>
 using RectangleSpherical = SphericalRectangle<V>;
 

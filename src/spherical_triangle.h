@@ -63,7 +63,10 @@ class SphericalTriangle {
   V solid_angle() const { return half_area_ + half_area_; }
   V inverse_solid_angle() const { return inverse_area_; }
 
-  HATBOX_INLINE TrianglePoint<V> sample(V u, V v) const;
+  HATBOX_INLINE TrianglePoint<V> sample(V u, V v) const { return sample(shares_of(u), v); }
+
+  /// Right also where u is next to 0 or 1, as far as its smaller share is.
+  HATBOX_INLINE TrianglePoint<V> sample(const Shares<V>& u, V v) const;
 
   /// The (u, v) of a direction inside; of others nearby some point of the square.
   Square<V> invert(const V (&direction)[3]) const;
@@ -73,6 +76,13 @@ class SphericalTriangle {
 
   /// Where the plane is met, for a direction inside.
   Place<V> place_of(const V (&direction)[3]) const;
+
+  /// On which side of the plane of side i: positive within.
+  V inwards(int i, const V (&direction)[3]) const { return dot3(direction, normal_x_[i], normal_y_[i], normal_z_[i]); }
+
+  /// This triangle where the mask is set, the other one elsewhere. What is not used of it costs nothing. To be had from
+  /// either_triangle.h.
+  HATBOX_INLINE SphericalTriangle either(const Mask<V>& mask, const SphericalTriangle& other) const;
 
  private:
   struct Vertex {  // by its direction
@@ -169,14 +179,13 @@ HATBOX_INLINE inline SphericalTriangle<V>::SphericalTriangle(const PlaneTriangle
 // The place is the mean of the vertices by the weights of B sin(a_u − q) + C_u sin q, C_u ~ A sin(b − b_u) + C sin b_u,
 // all of them positive; their sum of vertices has the length cos(a_u/2), with the common factor 2 sin(a_u/2) left out.
 template <class V>
-HATBOX_INLINE inline TrianglePoint<V> SphericalTriangle<V>::sample(V u, V v) const {
-  u = clamp_variate(u);
+HATBOX_INLINE inline TrianglePoint<V> SphericalTriangle<V>::sample(const Shares<V>& u, V v) const {
   v = clamp_variate(v);
-  const V rest_u = V(1) - u, rest_v = V(1) - v;
-  const SinCos<V> near = sincos_quarter(min(u, rest_u) * half_area_);
+  const V rest_v = V(1) - v;
+  const SinCos<V> near = sincos_quarter(min(u.share, u.rest) * half_area_);
   const SinCos<V> far = {fma(half_.sin, near.cos, -(half_.cos * near.sin)),
                          fma(half_.cos, near.cos, half_.sin * near.sin)};
-  const Mask<V> first_half = u <= rest_u;
+  const Mask<V> first_half = u.share <= u.rest;
   const SinCos<V> theta = {select(first_half, near.sin, far.sin), select(first_half, near.cos, far.cos)};
   const SinCos<V> rest = {select(first_half, far.sin, near.sin), select(first_half, far.cos, near.cos)};
 

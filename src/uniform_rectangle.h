@@ -14,19 +14,7 @@
 namespace hatbox::HATBOX_ISA {
 namespace {
 
-/// A variate and what it lacks to 1.
-template <class V>
-struct Shares {
-  V share, rest;
-};
-
-template <class V>
-HATBOX_INLINE inline Shares<V> shares_of(V variate) {
-  const V share = clamp_variate(variate);
-  return {share, V(1) - share};
-}
-
-/// The same, counted from the other end where the axis is turned round.
+/// The shares of a variate, counted from the other end where the axis is turned round.
 template <class V>
 HATBOX_INLINE inline Shares<V> shares_of(V variate, Mask<V> flip) {
   const Shares<V> shares = shares_of(variate);

@@ -19,10 +19,22 @@ struct Square {
   V u, v;
 };
 
+/// A variate and what it lacks to 1.
+template <class V>
+struct Shares {
+  V share, rest;
+};
+
 /// Into [0, 1): what lies outside goes to the nearest float inside. NaN becomes 0; callers look for it themselves.
 template <class V>
 inline V clamp_variate(V x) {
   return max(min(constant<V>(last_below_one<V>), x), V(0));
+}
+
+template <class V>
+inline Shares<V> shares_of(V variate) {
+  const V share = clamp_variate(variate);
+  return {share, V(1) - share};
 }
 
 /// Concentric map (Shirley and Chiu 1997), the eight sectors folded into one. Clamps like clamp_variate; the four edges

@@ -98,6 +98,30 @@ TEST_P(RectangleHardPlaces, BesideTheLightItsSolidAngleGoesLikeTheHeight) {
   }
 }
 
+/// However close to the light's plane: there the maps do not go by the height itself.
+TEST_P(RectangleHardPlaces, DensityIsOneOverTheSolidAngle) {
+  const Rectangle light = rectangle_in(Pose::canonical, Shape::square);
+  for (const float height : {1e-8f, 1e-16f, 1e-19f, 1e-24f, -1e-30f, 1e-33f}) {
+    PointArrays points;
+    for (const auto& [x, y] : {std::pair{0.75f, 0.0f}, std::pair{0.75f, 0.5f}, std::pair{-3.0f, 7.0f},
+                               std::pair{0.2f, -3.0f}, std::pair{0.2f, 0.3f}, std::pair{-0.2f, 0.1f}}) {
+      points.push_back({x, y, height});
+    }
+    const VariateArrays variates = make_variates(points.size());
+    std::vector<float> solid_angles(points.size());
+    solid_angle(light, points.view(), solid_angles);
+    for (const RectangleMap map : {RectangleMap::two_triangles, RectangleMap::spherical}) {
+      SampleArrays samples(points.size());
+      sample(light, map, points.view(), variates.view(), samples.view());
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const double density = samples.at(SampleArrays::pdf, i);
+        EXPECT_NEAR(density * static_cast<double>(solid_angles[i]), 1, 2e-6)
+            << name(map) << " from " << points.x[i] << ", " << points.y[i] << ", " << height;
+      }
+    }
+  }
+}
+
 TEST_P(RectangleHardPlaces, OverTheLightItIsHalfTheSphere) {
   constexpr double pi = 3.14159265358979323846;
   const Rectangle light = rectangle_in(Pose::canonical, Shape::square);

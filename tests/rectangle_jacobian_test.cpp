@@ -24,8 +24,8 @@ namespace kernels = rectangle_in_double;
 
 /// Of the map at (u, v): |∂(s,t)/∂(u,v)|·|edges|·cosine/distance² is the solid angle it makes of a piece of the square.
 template <class Map>
-double jacobian_error(const Map& map, double area, double u, double v) {
-  const double step_u = 0.25 * std::min(u, 1 - u), step_v = 0.25 * std::min(v, 1 - v);
+double jacobian_error(const Map& map, double area, double u, double v, double seam) {
+  const double step_u = 0.25 * std::min({u, 1 - u, std::abs(u - seam)}), step_v = 0.25 * std::min(v, 1 - v);
   const auto place = [&](double du, double dv) {
     const auto sample = map.sample(u + du, v + dv);
     return Components<2>{sample.place.s, sample.place.t};
@@ -36,8 +36,18 @@ double jacobian_error(const Map& map, double area, double u, double v) {
   return std::abs(stretch * area * std::abs(here.cosine) / (here.distance * here.distance) * here.pdf - 1);
 }
 
-template <template <class> class Map>
-void expect_honest(Pose pose, Shape shape) {
+/// The u at which two_triangles goes from one triangle to the other: that map must not be differentiated across it.
+double seam_from(const RectangleConstantsOf<double>& light, const Vec3& p) {
+  const kernels::RectangleHalves<double> halves(light, p.x, p.y, p.z);
+  const double first = kernels::SphericalTriangle<double>(halves.first).solid_angle();
+  const double second = kernels::SphericalTriangle<double>(halves.second).solid_angle();
+  return first / (first + second);
+}
+
+double no_seam(const RectangleConstantsOf<double>&, const Vec3&) { return 0; }
+
+template <template <class> class Map, class Seam>
+void expect_honest(Pose pose, Shape shape, const Seam& seam_of) {
   constexpr int grid = 32;
   const auto light = constants_of<double>(rectangle_in(pose, shape));
   const double area = light.length_hi[0] * light.length_hi[1];
@@ -46,8 +56,9 @@ void expect_honest(Pose pose, Shape shape) {
     const PointArrays points = make_points(workload, pose, 40);
     for (std::size_t p = 0; p < points.size(); ++p) {
       const Map<double> map(light, points.x[p], points.y[p], points.z[p]);
+      const double seam = seam_of(light, points[p]);
       for (int i = 0; i < grid * grid; ++i) {
-        errors.push_back(jacobian_error(map, area, (i % grid + 0.5) / grid, (i / grid + 0.5) / grid));
+        errors.push_back(jacobian_error(map, area, (i % grid + 0.5) / grid, (i / grid + 0.5) / grid, seam));
       }
     }
     report_quantiles(std::string("jacobian_") + name(workload) + "_" + name(shape), errors);
@@ -61,8 +72,12 @@ class RectangleJacobianSlow : public testing::TestWithParam<std::tuple<Pose, Sha
   Shape shape() const { return std::get<Shape>(GetParam()); }
 };
 
-TEST_P(RectangleJacobianSlow, Area) { expect_honest<kernels::RectangleArea>(pose(), shape()); }
-TEST_P(RectangleJacobianSlow, Spherical) { expect_honest<kernels::RectangleSpherical>(pose(), shape()); }
+TEST_P(RectangleJacobianSlow, Area) { expect_honest<kernels::RectangleArea>(pose(), shape(), no_seam); }
+TEST_P(RectangleJacobianSlow, Spherical) { expect_honest<kernels::RectangleSpherical>(pose(), shape(), no_seam); }
+TEST_P(RectangleJacobianSlow, TwoTriangles) {
+  expect_honest<kernels::RectangleTwoTriangles>(pose(), shape(), seam_from);
+}
+
 INSTANTIATE_TEST_SUITE_P(Every, RectangleJacobianSlow,
                          testing::Combine(testing::Values(Pose::canonical, Pose::general),
                                           testing::ValuesIn(all_shapes)),

@@ -1,7 +1,14 @@
 // The calls against each other: what `sample` returns, `pdf` and `invert` must recognise; and the geometry of a sample.
+#define HATBOX_ISA in_double
+#include "maps.h"
+
+#include "light_constants.h"
 #include "reference/vector.h"
+#include "support/bits.h"
+#include "support/conditioning.h"
 #include "support/isa_fixture.h"
 #include "support/rectangles.h"
+#include "support/sampler_calls.h"
 #include "support/statistics.h"
 #include "support/workloads.h"
 
@@ -20,7 +27,7 @@ using reference::Vector;
 
 /// How far a direction must be off to be off by the whole of u or of v, in radians: a float direction leaves the
 /// inverse uncertain by its own rounding over these. At grazing angles lines of u and of v look almost the same.
-struct Grain {
+struct DirectionGrain {
   double u, v;
 };
 
@@ -46,8 +53,8 @@ class RectangleRoundTrip : public DiskTest {
 };
 
 /// By small steps of the samples themselves.
-std::vector<Grain> grains(const Rectangle& light, RectangleMap map, const PointArrays& points,
-                          const VariateArrays& variates) {
+std::vector<DirectionGrain> grains(const Rectangle& light, RectangleMap map, const PointArrays& points,
+                                   const VariateArrays& variates) {
   constexpr float step = 0x1p-7f;
   const auto sampled = [&](float du, float dv) {
     VariateArrays moved = variates;
@@ -60,7 +67,7 @@ std::vector<Grain> grains(const Rectangle& light, RectangleMap map, const PointA
     return samples;
   };
   const SampleArrays here = sampled(0, 0), by_u = sampled(step, 0), by_v = sampled(0, step);
-  std::vector<Grain> result;
+  std::vector<DirectionGrain> result;
   for (std::size_t i = 0; i < here.size(); ++i) {
     const Vector<double> along_u = by_u.direction(i) - here.direction(i),
                          along_v = by_v.direction(i) - here.direction(i);
@@ -73,9 +80,10 @@ std::vector<Grain> grains(const Rectangle& light, RectangleMap map, const PointA
 TEST_P(RectangleRoundTrip, InvertUndoesSample) {
   for_every_sampling(Workload::w1, [&](const Rectangle& light, RectangleMap map, const PointArrays& points,
                                        const VariateArrays& variates, const SampleArrays& samples) {
+    if (map == RectangleMap::two_triangles) return;  // below
     std::vector<float> u(samples.size()), v(samples.size());
     invert(light, map, points.view(), samples.directions(), u, v);
-    const std::vector<Grain> grain = grains(light, map, points, variates);
+    const std::vector<DirectionGrain> grain = grains(light, map, points, variates);
     constexpr double rounding = 2.5e-7;  // of a direction, radians
     std::vector<double> errors, beyond;
     for (std::size_t i = 0; i < u.size(); ++i) {
@@ -86,6 +94,30 @@ TEST_P(RectangleRoundTrip, InvertUndoesSample) {
     report_quantiles("uv_error", errors);
     report_quantiles("uv_error_beyond_the_direction's", beyond);
     EXPECT_LE(quantile(beyond, 0.999), 1e-5);
+  });
+}
+
+/// As right as the inverse of a triangle's map.
+TEST_P(RectangleRoundTrip, InvertUndoesSampleOfTwoTriangles) {
+  for_every_sampling(Workload::w1, [&](const Rectangle& light, RectangleMap map, const PointArrays& points,
+                                       const VariateArrays& variates, const SampleArrays& samples) {
+    if (map != RectangleMap::two_triangles) return;
+    const auto constants = constants_of<double>(light);
+    std::vector<float> u(samples.size()), v(samples.size());
+    invert(light, map, points.view(), samples.directions(), u, v);
+    std::vector<double> errors, beyond;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const double error = std::max(std::abs(u[i] - variates.u[i]), std::abs(v[i] - variates.v[i]));
+      errors.push_back(error);
+      beyond.push_back(error);
+      if (error <= 1e-4) continue;
+      const Vec3 p = points[i % points.size()];  // a sliver is narrower than 1e4 float directions
+      const in_double::RectangleTwoTriangles<double> seen(constants, p.x, p.y, p.z);
+      beyond.back() = std::max(error - 4 * inverse_conditioning(seen, samples.direction(i)), 0.0);
+    }
+    report_quantiles("uv_error", errors);
+    report_quantiles("uv_error_beyond_the_direction's", beyond);
+    EXPECT_LE(quantile(beyond, 0.999), 1e-4);
   });
 }
 
@@ -219,6 +251,26 @@ TEST_P(RectangleRoundTrip, PlaceIsWhereTheDirectionEnds) {
       EXPECT_LE(quantile(unit_errors, 1), 1e-6);
       EXPECT_LE(quantile(cosine_errors, 1), bound);
     });
+  }
+}
+
+/// All but sse4_2, whose fma is rounded twice, to the last bit.
+TEST_P(RectangleRoundTrip, EveryIsaGivesTheBitsOfScalar) {
+  if (isa() == Isa::sse4_2) GTEST_SKIP();
+  for (const Shape shape : all_shapes) {
+    for (const RectangleMap map : all_rectangle_maps) {
+      for (const Workload workload : all_workloads) {
+        const Sampler sampler(name(shape), rectangle_in(pose(), shape), map);
+        const Queries queries = make_queries(sampler, make_points(workload, pose(), 1000), 3);
+        const auto got = call_everything(sampler, queries);
+        const ForcedIsa scalar(Isa::scalar);
+        const auto expected = call_everything(sampler, queries);
+        for (std::size_t c = 0; c < got.size(); ++c) {
+          EXPECT_EQ(first_difference(got[c].values, expected[c].values), got[c].values.size())
+              << name(shape) << " " << name(map) << " " << got[c].name;
+        }
+      }
+    }
   }
 }
 

@@ -12,8 +12,9 @@ namespace hatbox {
 
 /// How (u, v) becomes a direction to the rectangle. All are bijections of the square onto the rectangle as it is seen.
 enum class RectangleMap {
-  area,       ///< uniform in area: u along edge_u, v along edge_v. Cheapest, noisy close by
-  spherical,  ///< uniform in solid angle (Ureña 2013): u moves a line over the light, v a point along it
+  area,           ///< uniform in area: u along edge_u, v along edge_v. Cheapest, noisy close by
+  spherical,      ///< uniform in solid angle (Ureña 2013): u moves a line over the light, v a point along it
+  two_triangles,  ///< uniform in solid angle, by the triangles on either side of the diagonal from `corner` (Arvo 1995)
 };
 
 // All calls are thread-safe and allocate nothing. They throw std::invalid_argument, before anything is written, if
@@ -29,10 +30,16 @@ enum class RectangleMap {
 /// corner + s·edge_u + t·edge_v.
 ///
 /// `out.pdf` is the density of the map as it was computed, so estimates are unbiased whatever the rounding; for
-/// spherical it is 1/Ω. Places and directions are right to 2e-6 of the light's diameter as it is seen, directions also
-/// to 4e-7 rad, which is what a float direction can tell, and of unit length to 1e-6.
+/// spherical and two_triangles it is 1/Ω. Places and directions are right to 2e-6 of the light's diameter as it is
+/// seen, directions also to 4e-7 rad (two_triangles: 1e-6), which is what a float direction can tell, and of unit
+/// length to 1e-6.
 ///
-/// Source: Ureña, Fajardo and King 2013, in the form that src/rectangle_strips.h and src/rectangle_map.h explain.
+/// two_triangles is the comparison of the paper: as even as spherical, but it tears the square apart at the diagonal,
+/// and so spoils stratified variates somewhat. Where another side of one of its triangles becomes the smallest as seen
+/// from the point, (u, v) begins to name other directions of that triangle, as in TriangleMap::spherical.
+///
+/// Source: Ureña, Fajardo and King 2013, in the form that src/rectangle_strips.h and src/rectangle_map.h explain; for
+/// two_triangles Arvo 1995, in that of src/two_triangles_map.h and src/spherical_triangle.h.
 void sample(const Rectangle& light, RectangleMap map, Points points, Variates variates, Samples out);
 
 /// The density, per steradian, with which `sample` picks each of the k·n `directions` (unit length, not checked): 0 for
@@ -46,8 +53,8 @@ void pdf(const Rectangle& light, RectangleMap map, Points points, Directions dir
 void pdf(const Rectangle& light, RectangleMap map, Points points, Places places, std::span<float> out);
 
 /// The (u, v) that `sample` turns into each of the k·n `directions`: -1, -1 for one that misses the light or cannot be
-/// sampled. Right to 1e-5 where the light is wide enough for a float direction to tell. `u` and `v` have k·n elements
-/// each.
+/// sampled. Right to 1e-5 (two_triangles: 1e-4, but next to the diagonal, on either side of which u and v are others)
+/// where the light is wide enough for a float direction to tell. `u` and `v` have k·n elements each.
 void invert(const Rectangle& light, RectangleMap map, Points points, Directions directions, std::span<float> u,
             std::span<float> v);
 

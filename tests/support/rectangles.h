@@ -10,10 +10,11 @@
 
 namespace hatbox::test {
 
-inline constexpr std::array all_rectangle_maps{RectangleMap::area, RectangleMap::spherical};
+inline constexpr std::array all_rectangle_maps{RectangleMap::area, RectangleMap::spherical,
+                                               RectangleMap::two_triangles};
 
 inline const char* name(RectangleMap map) {
-  constexpr std::array names{"area", "spherical"};
+  constexpr std::array names{"area", "spherical", "two_triangles"};
   return names[static_cast<std::size_t>(map)];
 }
 
