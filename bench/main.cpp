@@ -3,9 +3,7 @@
 #include "carlson_bench.h"
 #include "disk_bench.h"
 #include "distance_bench.h"
-#include "ellipse_bench.h"
-#include "rectangle_bench.h"
-#include "triangle_bench.h"
+#include "light_bench.h"
 
 #include <CLI/CLI.hpp>
 
@@ -41,9 +39,7 @@ int run(int argc, char** argv) {
 
   std::vector<Case> cases = register_disk_cases();
   for (Case& c : register_carlson_cases()) cases.push_back(std::move(c));
-  for (Case& c : register_ellipse_cases()) cases.push_back(std::move(c));
-  for (Case& c : register_rectangle_cases()) cases.push_back(std::move(c));
-  for (Case& c : register_triangle_cases()) cases.push_back(std::move(c));
+  for (Case& c : register_light_cases()) cases.push_back(std::move(c));
   const std::vector<DistanceRow> distances = register_distance_cases();
   Collector collector((cases.size() + distances.size()) * static_cast<std::size_t>(repetitions));
   benchmark::RunSpecifiedBenchmarks(&collector);

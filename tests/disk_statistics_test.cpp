@@ -61,7 +61,7 @@ TEST_P(DiskIrradianceSlow, IsKnown) {
   }
 }
 
-HATBOX_FOR_EVERY_ISA_AND_POSE(DiskIrradianceSlow);
+HATBOX_FOR_WIDE_ISAS_AND_POSE(DiskIrradianceSlow);
 
 class DiskChiSquareSlow : public DiskTest {
  protected:

@@ -85,7 +85,7 @@ TEST_P(DiskTableStatisticsSlow, DirectionsFollowTheDensity) {
   }
 }
 
-HATBOX_FOR_EVERY_ISA_AND_POSE(DiskTableStatisticsSlow);
+HATBOX_FOR_WIDE_ISAS_AND_POSE(DiskTableStatisticsSlow);
 
 }  // namespace
 }  // namespace hatbox::test

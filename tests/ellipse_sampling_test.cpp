@@ -193,7 +193,7 @@ TEST_P(EllipseIrradianceSlow, IsKnown) {
   }
 }
 
-HATBOX_FOR_EVERY_ISA_AND_POSE(EllipseIrradianceSlow);
+HATBOX_FOR_WIDE_ISAS_AND_POSE(EllipseIrradianceSlow);
 
 /// The solid-angle maps: cells of the same solid angle, as the reference has them.
 class EllipseChiSquareSlow : public DiskTest {

@@ -70,7 +70,7 @@ TEST_P(RectangleIrradianceSlow, IsLamberts) {
   }
 }
 
-HATBOX_FOR_EVERY_ISA_AND_POSE(RectangleIrradianceSlow);
+HATBOX_FOR_WIDE_ISAS_AND_POSE(RectangleIrradianceSlow);
 
 class RectangleChiSquareSlow : public DiskTest {};
 

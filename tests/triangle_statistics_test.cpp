@@ -63,7 +63,7 @@ TEST_P(TriangleIrradianceSlow, IsKnown) {
   }
 }
 
-HATBOX_FOR_EVERY_ISA_AND_POSE(TriangleIrradianceSlow);
+HATBOX_FOR_WIDE_ISAS_AND_POSE(TriangleIrradianceSlow);
 
 class TriangleChiSquareSlow : public DiskTest {
  protected:

@@ -7,8 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
+#include <span>
 #include <string>
 #include <tuple>
+#include <vector>
 
 namespace hatbox::test {
 
@@ -47,6 +51,15 @@ class DiskTest : public testing::TestWithParam<DiskParam> {
   ForcedIsa forced_{std::get<Isa>(GetParam())};
 };
 
+/// The instruction sets that millions of samples are quick on: all but scalar and sse4_2, whose fused multiply-add is a
+/// function call. Where there is no other, those.
+inline std::vector<Isa> wide_isas() {
+  const std::span<const Isa> all = available_isas();
+  std::vector<Isa> wide;
+  std::ranges::copy_if(all, std::back_inserter(wide), [](Isa isa) { return isa != Isa::scalar && isa != Isa::sse4_2; });
+  return wide.empty() ? std::vector<Isa>(all.begin(), all.end()) : wide;
+}
+
 inline std::string isa_test_name(const testing::TestParamInfo<Isa>& info) { return name(info.param); }
 
 inline std::string disk_test_name(const testing::TestParamInfo<DiskParam>& info) {
@@ -65,4 +78,12 @@ inline std::string disk_test_name(const testing::TestParamInfo<DiskParam>& info)
       Every, Suite,                                                                                         \
       testing::Combine(testing::ValuesIn(hatbox::available_isas().begin(), hatbox::available_isas().end()), \
                        testing::Values(hatbox::test::Pose::canonical, hatbox::test::Pose::general)),        \
+      hatbox::test::disk_test_name)
+
+// For statistics of millions of samples. What holds there holds on the others: isa_agreement_test.cpp.
+#define HATBOX_FOR_WIDE_ISAS_AND_POSE(Suite)                                                         \
+  INSTANTIATE_TEST_SUITE_P(                                                                          \
+      Wide, Suite,                                                                                   \
+      testing::Combine(testing::ValuesIn(hatbox::test::wide_isas()),                                 \
+                       testing::Values(hatbox::test::Pose::canonical, hatbox::test::Pose::general)), \
       hatbox::test::disk_test_name)

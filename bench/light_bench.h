@@ -1,4 +1,5 @@
-// The cases of the ellipse: half as wide as long, in place of the disk.
+// The cases of the lights that have nothing to themselves: their maps on every instruction set, one sample a point and
+// many, all that in cache.
 #pragma once
 
 #include "report.h"
@@ -8,6 +9,6 @@
 namespace hatbox::bench {
 
 /// Registers every case with Google Benchmark, by the name `Case::name`, and returns them.
-std::vector<Case> register_ellipse_cases();
+std::vector<Case> register_light_cases();
 
 }  // namespace hatbox::bench
