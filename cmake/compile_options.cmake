@@ -5,3 +5,6 @@ function(hatbox_compile_options target)
     -Wall -Wextra -Wconversion -Wshadow $<$<BOOL:${HATBOX_WARNINGS_AS_ERRORS}>:-Werror>
     -ffp-contract=off)  # what is fused is what the code says, so that compilers agree on every bit
 endfunction()
+
+# For code whose speed matters less than the time it takes to compile.
+set(hatbox_quick_to_compile $<$<CONFIG:Release>:-O1>)

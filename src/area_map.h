@@ -2,6 +2,7 @@
 // so this is the yardstick of the other maps; it is written to cost as little as it can.
 #pragma once
 
+#include "area_ray.h"
 #include "ellipse_cone.h"
 
 namespace hatbox::HATBOX_ISA {
@@ -49,20 +50,12 @@ class AreaMap {
   HATBOX_INLINE LightSample<V> sample(V u, V v) const {
     const Polar<V> polar = concentric(u, v);
     const Place<V> place = {polar.radius * polar.angle.cos, polar.radius * polar.angle.sin};
-    const Ray ray = to(place);
-    LightSample<V> out;
-    for (int i = 0; i < 3; ++i) out.direction[i] = ray.l[i] * ray.inverse_distance;
-    out.distance = ray.distance * V(light_.radius);
-    out.pdf = ray.pdf;
-    out.cosine = -height_ * ray.inverse_distance;
-    out.place = place;
-    out.valid = honest(is_finite(u + v) && is_finite(out.distance + ray.inverse_distance), out.pdf);
-    return out;
+    return to(place).sample(place, height_, light_.radius, is_finite(u + v));
   }
 
   V pdf_of_place(const Place<V>& place) const {
-    const V density = to(place).pdf;
-    return select(honest(on_unit_disk(place), density), density, V(0));
+    const AreaRay<V> ray = to(place);
+    return select(honest(on_unit_disk(place) && ray.clear, ray.pdf), ray.pdf, V(0));
   }
 
   V pdf_of_direction(const V (&direction)[3]) const {
@@ -81,27 +74,14 @@ class AreaMap {
   }
 
  private:
-  struct Ray {
-    V l[3];  // from the shading point to the place, in units of the light
-    V distance, inverse_distance;
-    V pdf;
-  };
   struct Hit {
     V distance;  // in units of the light
     Place<V> place;
     Mask<V> inside;
   };
 
-  Ray to(const Place<V>& place) const {
-    Ray ray;
-    for (int i = 0; i < 3; ++i) {
-      ray.l[i] = fma(V(span(light_, 0)[i]), place.s, fma(V(span(light_, 1)[i]), place.t, l_[i]));
-    }
-    const V distance2 = fma(ray.l[0], ray.l[0], fma(ray.l[1], ray.l[1], ray.l[2] * ray.l[2]));
-    ray.distance = sqrt(distance2);
-    ray.inverse_distance = ray.distance * (V(1) / distance2);  // the root and the quotient run side by side
-    ray.pdf = distance2 * density_ * ray.distance;
-    return ray;
+  HATBOX_INLINE AreaRay<V> to(const Place<V>& place) const {
+    return {l_, span(light_, 0), span(light_, 1), place, density_};
   }
 
   Hit intersect(const V (&direction)[3]) const {

@@ -56,5 +56,14 @@ HATBOX_INLINE inline Pair<V> dot_pair(const Pair<V> (&a)[3], const Scalar<V> (&b
   return {s2.high, low};
 }
 
+/// √(x² + y²), also where the squares would underflow.
+template <class V>
+HATBOX_INLINE inline V length_of_small(V x, V y) {
+  const Mask<V> tiny = max(abs(x), abs(y)) < constant<V>(0x1p-40);
+  const V up = select(tiny, constant<V>(0x1p64), V(1)), down = select(tiny, constant<V>(0x1p-64), V(1));
+  const V scaled_x = x * up, scaled_y = y * up;
+  return sqrt(fma(scaled_x, scaled_x, scaled_y * scaled_y)) * down;
+}
+
 }  // namespace
 }  // namespace hatbox::HATBOX_ISA

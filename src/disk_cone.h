@@ -86,15 +86,6 @@ HATBOX_INLINE inline Halves<V> halves(V inverse_L, V x, V half_root) {
   return {positive, select(positive, large, small), select(positive, small, large), large, inverse_large};
 }
 
-/// √(x² + y²), also where the squares underflow: right above or beside the rim.
-template <class V>
-HATBOX_INLINE inline V length_of_small(V x, V y) {
-  const Mask<V> tiny = max(abs(x), abs(y)) < constant<V>(0x1p-40);
-  const V up = select(tiny, constant<V>(0x1p64), V(1)), down = select(tiny, constant<V>(0x1p-64), V(1));
-  const V scaled_x = x * up, scaled_y = y * up;
-  return sqrt(fma(scaled_x, scaled_x, scaled_y * scaled_y)) * down;
-}
-
 template <class V>
 HATBOX_INLINE inline DiskCone<V>::DiskCone(const DiskLight<V>& disk, V x, V y, V z) : light(disk) {
   const DiskLocal<V> l = to_disk(light, x, y, z);

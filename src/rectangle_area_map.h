@@ -2,6 +2,7 @@
 // maps; it is written to cost as little as it can.
 #pragma once
 
+#include "area_ray.h"
 #include "rectangle_local.h"
 
 namespace hatbox::HATBOX_ISA {
@@ -18,19 +19,11 @@ class RectangleAreaMap {
 
   HATBOX_INLINE LightSample<V> sample(V u, V v) const {
     const Place<V> place = {clamp_variate(u), clamp_variate(v)};
-    const Ray ray = to(place);
-    LightSample<V> out;
-    for (int i = 0; i < 3; ++i) out.direction[i] = ray.l[i] * ray.inverse_distance;
-    out.distance = ray.distance * V(light_.unit);
-    out.pdf = ray.pdf;
-    out.cosine = -height_ * ray.inverse_distance;
-    out.place = place;
-    out.valid = honest(ray.clear && is_finite(u + v) && is_finite(out.distance), out.pdf);
-    return out;
+    return to(place).sample(place, height_, light_.unit, is_finite(u + v));
   }
 
   V pdf_of_place(const Place<V>& place) const {
-    const Ray ray = to(place);
+    const AreaRay<V> ray = to(place);
     return select(honest(on_unit_square(place) && ray.clear, ray.pdf), ray.pdf, V(0));
   }
 
@@ -49,24 +42,8 @@ class RectangleAreaMap {
   }
 
  private:
-  struct Ray {
-    V l[3];  // from the shading point to the place, in units
-    V distance, inverse_distance;
-    V pdf;
-    Mask<V> clear;  // of the place, by more than what underflows when squared
-  };
-
-  Ray to(const Place<V>& place) const {
-    Ray ray;
-    for (int i = 0; i < 3; ++i) {
-      ray.l[i] = fma(V(light_.edges[0][i]), place.s, fma(V(light_.edges[1][i]), place.t, l_[i]));
-    }
-    const V distance2 = fma(ray.l[0], ray.l[0], fma(ray.l[1], ray.l[1], ray.l[2] * ray.l[2]));
-    ray.clear = distance2 >= constant<V>(smallest_normal<V>);
-    ray.distance = sqrt(distance2);
-    ray.inverse_distance = ray.distance * (V(1) / distance2);  // the root and the quotient run side by side
-    ray.pdf = distance2 * density_ * ray.distance;
-    return ray;
+  HATBOX_INLINE AreaRay<V> to(const Place<V>& place) const {
+    return {l_, light_.edges[0], light_.edges[1], place, density_};
   }
 
   const RectangleLight<V>& light_;

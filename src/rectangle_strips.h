@@ -92,20 +92,16 @@ struct StripEnds {
   }
 };
 
-template <class V>
-struct StripPair {
-  Strip<V> first, second;
-};
-
 /// Two strips, which share divisions.
 template <class V>
-HATBOX_INLINE inline StripPair<V> strips_between(const StripEnds<V>& first, const StripEnds<V>& second, V N) {
+HATBOX_INLINE inline void make_strips(const StripEnds<V>& first, const StripEnds<V>& second, V N, Strip<V>& first_strip,
+                                      Strip<V>& second_strip) {
   const Inverses<V> inverse = inverses_of_products(first.sum0(), first.sum1(), second.sum0(), second.sum1());
   const V growth0 = first.growth(inverse.first), growth1 = second.growth(inverse.second);
   const V W0 = fma(first.w_near, N, growth0), W1 = fma(second.w_near, N, growth1);
   const RightAngles<V> half = right_angles(growth0, fma(first.w_near, W0, N), growth1, fma(second.w_near, W1, N));
-  return {{first.near, first.width, first.w_near, W0, half.first},
-          {second.near, second.width, second.w_near, W1, half.second}};
+  first_strip = {first.near, first.width, first.w_near, W0, half.first};
+  second_strip = {second.near, second.width, second.w_near, W1, half.second};
 }
 
 template <class V>
@@ -145,10 +141,8 @@ HATBOX_INLINE inline RectangleStrips<V>::RectangleStrips(const RectangleSides<V>
                           select(straddling, foot.r1, at_x0.r1)};
   k_right = kappa_f / a.kappa();
   const V w_a = fma(V(2) * a.x, a.R() / (N + k_right * N), w_f);
-  const StripPair<V> strips = strips_between<V>({a, at_x1, select(straddling, l.x1, l.e_x), w_a},
-                                                {foot, at_x0, select(straddling, -l.x0, V(0)), w_f}, N);
-  right = strips.first;
-  left = strips.second;
+  make_strips<V>({a, at_x1, select(straddling, l.x1, l.e_x), w_a}, {foot, at_x0, select(straddling, -l.x0, V(0)), w_f},
+                 N, right, left);
 }
 
 }  // namespace

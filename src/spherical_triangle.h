@@ -121,12 +121,12 @@ template <class V>
 HATBOX_INLINE inline SphericalTriangle<V>::SphericalTriangle(const PlaneTriangle<V>& plane) : z_(plane.z) {
   V length[3], inverse[3], inverse_span[3];
   for (int i = 0; i < 3; ++i) {
-    length[i] = safe_length(plane.x[i], plane.y[i], z_);
+    length[i] = length_of_small(plane.x[i], plane.y[i], z_);
     inverse[i] = V(1) / length[i];
     unit_x_[i] = plane.x[i] * inverse[i];
     unit_y_[i] = plane.y[i] * inverse[i];
     unit_z_[i] = z_ * inverse[i];
-    span_[i] = safe_length(plane.cross[i], z_ * plane.length[i]);
+    span_[i] = length_of_small(plane.cross[i], z_ * plane.length[i]);
     inverse_span[i] = V(1) / span_[i];
     const V lean = z_ * inverse_span[i];
     normal_x_[i] = -(plane.side_y[i] * lean);
@@ -194,7 +194,7 @@ HATBOX_INLINE inline TrianglePoint<V> SphericalTriangle<V>::sample(const Shares<
   const V sum = fma(K * alpha_.sin, rest.cos, fma(K, alpha_.cos, L) * rest.sin) * inverse_cos_a_;
   const V Q = select((alpha_.cos < V(0)) && (theta.cos >= V(0)), difference, sum);
   const V b_u_y = c_.cos * theta.sin, b_u_x = c_.sin * Q;
-  const V inverse_H = V(1) / safe_length(b_u_y, b_u_x);
+  const V inverse_H = V(1) / length_of_small(b_u_y, b_u_x);
   const SinCos<V> b_u = {b_u_y * inverse_H, b_u_x * inverse_H};
   const SinCos<V> rest_b = {cos_a_ * rest.sin * inverse_H, fma(b_.cos, b_u.cos, b_.sin * b_u.sin)};
 
@@ -235,7 +235,7 @@ inline Square<V> SphericalTriangle<V>::invert(const V (&direction)[3]) const {
   const V cos_q = dot3(direction, B_[0], B_[1], B_[2]);
   const V y = max(dot3(direction, n_[0], n_[1], n_[2]), V(0));
   const V x = dot3(direction, t_[0], t_[1], t_[2]);
-  const V sin_q = safe_length(y, x);
+  const V sin_q = length_of_small(y, x);
   const Mask<V> at_B = !(sin_q > V(0));
   const V inverse = V(1) / select(at_B, V(1), sin_q);
   const SinCos<V> beta = {y * inverse, select(at_B, V(1), x * inverse)};
@@ -243,7 +243,7 @@ inline Square<V> SphericalTriangle<V>::invert(const V (&direction)[3]) const {
   const V sin_c = V(2) * c_.sin * c_.cos, cos_c = fma(V(-2) * c_.sin, c_.sin, V(1));
   const V ss = alpha_.sin * beta.sin, sc = alpha_.sin * beta.cos, cs = alpha_.cos * beta.sin;
   const V sin_sum = sc + cs;
-  const V sin_gamma = safe_length(fma(cos_c, cs, sc), sin_c * beta.sin);
+  const V sin_gamma = length_of_small(fma(cos_c, cs, sc), sin_c * beta.sin);
   const Mask<V> below_pi = sin_sum >= V(0);
   const V theta_y = select(below_pi, V(2) * c_.sin * c_.sin * ss, sin_gamma - sin_sum);
   const V theta_x = select(below_pi, sin_sum + sin_gamma, V(2) * fma(c_.cos * c_.cos, ss, -(alpha_.cos * beta.cos)));

@@ -2,6 +2,7 @@
 // Between Triangle and Square". Nothing else is cheaper, so this is the yardstick of the other map.
 #pragma once
 
+#include "area_ray.h"
 #include "triangle_map.h"
 
 namespace hatbox::HATBOX_ISA {
@@ -22,20 +23,14 @@ class TriangleAreaMap {
     const V half = V(0.5) * min(clamped_u, clamped_v);
     const Mask<V> upper = clamped_v > clamped_u;
     const Place<V> place = {select(upper, half, clamped_u - half), select(upper, clamped_v - half, half)};
-    const Ray ray = to(place);
-    LightSample<V> out;
-    for (int i = 0; i < 3; ++i) out.direction[i] = ray.l[i] * ray.inverse_distance;
-    out.distance = ray.distance * V(light_.unit);
-    out.pdf = ray.pdf;
-    out.cosine = min(max(-height_ * ray.inverse_distance, V(-1)), V(1));
-    out.place = place;
-    out.valid = honest(is_finite(u + v) && is_finite(out.distance + ray.inverse_distance), out.pdf);
+    LightSample<V> out = to(place).sample(place, height_, light_.unit, is_finite(u + v));
+    out.cosine = min(max(out.cosine, V(-1)), V(1));
     return out;
   }
 
   V pdf_of_place(const Place<V>& place) const {
-    const V density = to(place).pdf;
-    return select(honest(on_unit_triangle(place), density), density, V(0));
+    const AreaRay<V> ray = to(place);
+    return select(honest(on_unit_triangle(place) && ray.clear, ray.pdf), ray.pdf, V(0));
   }
 
   V pdf_of_direction(const V (&direction)[3]) const {
@@ -54,27 +49,14 @@ class TriangleAreaMap {
   }
 
  private:
-  struct Ray {
-    V l[3];  // from the shading point to the place, in units of the light
-    V distance, inverse_distance;
-    V pdf;
-  };
   struct Hit {
     V distance;  // in units of the light
     Place<V> place;
     Mask<V> inside;
   };
 
-  Ray to(const Place<V>& place) const {
-    Ray ray;
-    for (int i = 0; i < 3; ++i) {
-      ray.l[i] = fma(V(light_.edges[0][i]), place.s, fma(V(light_.edges[1][i]), place.t, l_[i]));
-    }
-    const V distance2 = fma(ray.l[0], ray.l[0], fma(ray.l[1], ray.l[1], ray.l[2] * ray.l[2]));
-    ray.distance = sqrt(distance2);
-    ray.inverse_distance = ray.distance * (V(1) / distance2);  // the root and the quotient run side by side
-    ray.pdf = distance2 * density_ * ray.distance;
-    return ray;
+  HATBOX_INLINE AreaRay<V> to(const Place<V>& place) const {
+    return {l_, light_.edges[0], light_.edges[1], place, density_};
   }
 
   Hit intersect(const V (&direction)[3]) const {

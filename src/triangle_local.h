@@ -32,17 +32,9 @@ struct PlaneTriangle {
 // Beside the light its solid angle is proportional to the height there, and above it is 2π.
 inline constexpr double least_triangle_height = 0x1p-90;
 
-/// √(x² + y²), also where the squares would underflow.
+/// √(x² + y² + z²), also where the squares would underflow.
 template <class V>
-HATBOX_INLINE inline V safe_length(V x, V y) {
-  const Mask<V> tiny = max(abs(x), abs(y)) < constant<V>(0x1p-40);
-  const V up = select(tiny, constant<V>(0x1p64), V(1)), down = select(tiny, constant<V>(0x1p-64), V(1));
-  const V scaled_x = x * up, scaled_y = y * up;
-  return sqrt(fma(scaled_x, scaled_x, scaled_y * scaled_y)) * down;
-}
-
-template <class V>
-HATBOX_INLINE inline V safe_length(V x, V y, V z) {
+HATBOX_INLINE inline V length_of_small(V x, V y, V z) {
   const Mask<V> tiny = max(max(abs(x), abs(y)), abs(z)) < constant<V>(0x1p-40);
   const V up = select(tiny, constant<V>(0x1p64), V(1)), down = select(tiny, constant<V>(0x1p-64), V(1));
   const V scaled_x = x * up, scaled_y = y * up, scaled_z = z * up;

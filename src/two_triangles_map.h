@@ -28,7 +28,7 @@ struct RectangleHalves {
     const auto edge = [&](int i) { return in_units({V(light.length_hi[i]), V(light.length_lo[i])}); };
     const Pair<V> x = along_axis(0), y = along_axis(1), n = along_axis(2), u = edge(0), v = edge(1);
     const V x0 = x.high, x1 = sum(x, u).high, y0 = y.high, y1 = sum(y, v).high;
-    const V diagonal = safe_length(u.high, v.high), across_diagonal = determinant(x, y, u, v);
+    const V diagonal = length_of_small(u.high, v.high), across_diagonal = determinant(x, y, u, v);
     const V height = abs(n.high), area = u.high * v.high, none = V(0);
     const V z = max(height, constant<V>(least_triangle_height));
     first = {{x0, x1, x1},

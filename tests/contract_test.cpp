@@ -25,7 +25,7 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 constexpr float last_below_one = 0x1.fffffep-1f;
 
 /// Every instruction set, the lights at the origin and in a general pose.
-class Contract : public DiskTest {
+class Contract : public IsaAndPoseTest {
  protected:
   /// Where shading points may be, and where they had better not: around the disk, then out of all bounds.
   PointArrays adversarial_points() const {
@@ -290,7 +290,7 @@ TEST_P(Contract, BitsDoNotDependOnThreadsAndPackets) {
   for (const Sampler& sampler : all_samplers(pose())) {
     SCOPED_TRACE(sampler.name);
     for (const std::size_t k : sample_counts) {
-      const Queries queries = make_queries(sampler, mixed_points(pose(), 2053), k);
+      const Queries queries = make_queries(sampler, mixed_points(pose(), 1031), k);
       const auto expected = call_everything(sampler, queries);
       constexpr std::size_t grains[] = {0, 7, 64, 1 << 20};
       for (const std::size_t grain : grains) {

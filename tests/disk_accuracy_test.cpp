@@ -50,7 +50,7 @@ TEST_P(DiskSolidAngle, IsGolden) {
 
 HATBOX_FOR_EVERY_ISA(DiskSolidAngle);
 
-class DiskAccuracy : public DiskTest {};
+class DiskAccuracy : public IsaAndPoseTest {};
 
 /// Σ |∂direction/∂xᵢ| ulp(xᵢ) over the coordinates of point, centre and normal, by steps of one ulp.
 double direction_conditioning(Disk light, DiskMap map, Vec3 point, float u, float v) {
@@ -123,7 +123,7 @@ TEST_P(DiskAccuracy, DirectionsMatchReference) {
 
 HATBOX_FOR_EVERY_ISA_AND_POSE(DiskAccuracy);
 
-class DiskUniformitySlow : public DiskTest {};
+class DiskUniformitySlow : public IsaAndPoseTest {};
 
 TEST_P(DiskUniformitySlow, DensityTimesSolidAngleIsOne) {
   for (const DiskMap map :

@@ -24,7 +24,7 @@ namespace {
 
 using reference::Vector;
 
-class DiskRejection : public DiskTest {
+class DiskRejection : public IsaAndPoseTest {
  protected:
   Disk light() const { return disk_in(pose()); }
 };

@@ -22,7 +22,7 @@ using reference::DiskFrame;
 using reference::EtaDisk;
 using reference::Vector;
 
-class DiskRoundTrip : public DiskTest {
+class DiskRoundTrip : public IsaAndPoseTest {
  protected:
   static constexpr std::size_t samples_in_all = 12000;
 

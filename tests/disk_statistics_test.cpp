@@ -29,7 +29,7 @@ double contribution(const SampleArrays& samples, std::size_t i, const Vector<dou
   return std::max(dot(patch, samples.direction(i)), 0.0) / static_cast<double>(samples.at(SampleArrays::pdf, i));
 }
 
-class DiskIrradianceSlow : public DiskTest {};
+class DiskIrradianceSlow : public IsaAndPoseTest {};
 
 struct Patch {
   Vector<double> point, normal;  // around the canonical disk
@@ -63,7 +63,7 @@ TEST_P(DiskIrradianceSlow, IsKnown) {
 
 HATBOX_FOR_WIDE_ISAS_AND_POSE(DiskIrradianceSlow);
 
-class DiskChiSquareSlow : public DiskTest {
+class DiskChiSquareSlow : public IsaAndPoseTest {
  protected:
   static constexpr std::size_t side = 16;  // cells across θ and t, all of the same solid angle
 
@@ -142,7 +142,7 @@ TEST_P(DiskChiSquareSlow, DirectionsFollowTheDensity) {
 
 HATBOX_FOR_EVERY_ISA_AND_POSE(DiskChiSquareSlow);
 
-class DiskNoise : public DiskTest {
+class DiskNoise : public IsaAndPoseTest {
  protected:
   static constexpr std::size_t seeds = 256;
 

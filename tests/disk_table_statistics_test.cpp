@@ -21,7 +21,7 @@ using reference::DiskFrame;
 using reference::EtaDisk;
 using reference::Vector;
 
-class DiskTableStatisticsSlow : public DiskTest {
+class DiskTableStatisticsSlow : public IsaAndPoseTest {
  protected:
   static const std::vector<DiskTable>& tables() {
     static const std::vector<DiskTable> result{DiskTable(DiskMap::ld_radial, 8), DiskTable(DiskMap::ld_radial, 64),

@@ -91,7 +91,7 @@ TEST(DiskTableArguments, CopiesLiveOn) {
   }
 }
 
-class DiskTableCalls : public DiskTest {
+class DiskTableCalls : public IsaAndPoseTest {
  protected:
   Disk light() const { return disk_in(pose()); }
 

@@ -55,7 +55,7 @@ TEST_P(EllipseSolidAngle, IsGolden) {
 
 HATBOX_FOR_EVERY_ISA(EllipseSolidAngle);
 
-class EllipseAccuracy : public DiskTest {};
+class EllipseAccuracy : public IsaAndPoseTest {};
 
 constexpr double direction_bound = 4e-6;
 
@@ -161,7 +161,7 @@ TEST_P(EllipseAccuracy, CirclesAreDisks) {
 
 HATBOX_FOR_EVERY_ISA_AND_POSE(EllipseAccuracy);
 
-class EllipseUniformitySlow : public DiskTest {};
+class EllipseUniformitySlow : public IsaAndPoseTest {};
 
 /// What is promised of disks, and of ellipses that are no circles more: hugging the light makes no difference to them.
 TEST_P(EllipseUniformitySlow, DensityTimesSolidAngleIsOne) {

@@ -33,7 +33,7 @@ Vector<double> in_double_direction(const Ellipse& light, EllipseMap map, const V
                                    : in_double_direction<in_double::EllipseLdRadial>(light, point, u, v);
 }
 
-class EllipseRounding : public DiskTest {};
+class EllipseRounding : public IsaAndPoseTest {};
 
 TEST_P(EllipseRounding, DirectionsAreThoseOfDouble) {
   constexpr double bound = 4e-6;

@@ -23,7 +23,7 @@ using reference::EllipsePlace;
 using reference::EtaEllipse;
 using reference::Vector;
 
-class EllipseRoundTrip : public DiskTest {
+class EllipseRoundTrip : public IsaAndPoseTest {
  protected:
   /// Calls `check(light, map, points, variates, samples)` for every aspect and map, with one and three samples a point.
   template <class Check>
@@ -158,7 +158,7 @@ TEST_P(EllipseRoundTrip, OutsideIsAMiss) {
 
 HATBOX_FOR_EVERY_ISA_AND_POSE(EllipseRoundTrip);
 
-class EllipseIrradianceSlow : public DiskTest {};
+class EllipseIrradianceSlow : public IsaAndPoseTest {};
 
 struct Patch {
   Vector<double> point, normal;  // around the canonical ellipse
@@ -196,7 +196,7 @@ TEST_P(EllipseIrradianceSlow, IsKnown) {
 HATBOX_FOR_WIDE_ISAS_AND_POSE(EllipseIrradianceSlow);
 
 /// The solid-angle maps: cells of the same solid angle, as the reference has them.
-class EllipseChiSquareSlow : public DiskTest {
+class EllipseChiSquareSlow : public IsaAndPoseTest {
  protected:
   static constexpr std::size_t side = 16;  // cells across θ and t
 

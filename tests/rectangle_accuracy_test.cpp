@@ -58,7 +58,7 @@ const Case& known(Workload workload, Shape shape, Pose pose, std::size_t k) {
   return result;
 }
 
-class RectangleAccuracy : public DiskTest {
+class RectangleAccuracy : public IsaAndPoseTest {
  protected:
   /// Calls check(light, case) for every shape, workload and number of samples.
   template <class Check>

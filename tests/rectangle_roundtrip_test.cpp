@@ -4,11 +4,9 @@
 
 #include "light_constants.h"
 #include "reference/vector.h"
-#include "support/bits.h"
 #include "support/conditioning.h"
 #include "support/isa_fixture.h"
 #include "support/rectangles.h"
-#include "support/sampler_calls.h"
 #include "support/statistics.h"
 #include "support/workloads.h"
 
@@ -31,7 +29,7 @@ struct DirectionGrain {
   double u, v;
 };
 
-class RectangleRoundTrip : public DiskTest {
+class RectangleRoundTrip : public IsaAndPoseTest {
  protected:
   /// Calls check(light, map, points, variates, samples) for every shape and map, with one and three samples a point.
   template <class Check>
@@ -251,26 +249,6 @@ TEST_P(RectangleRoundTrip, PlaceIsWhereTheDirectionEnds) {
       EXPECT_LE(quantile(unit_errors, 1), 1e-6);
       EXPECT_LE(quantile(cosine_errors, 1), bound);
     });
-  }
-}
-
-/// All but sse4_2, whose fma is rounded twice, to the last bit.
-TEST_P(RectangleRoundTrip, EveryIsaGivesTheBitsOfScalar) {
-  if (isa() == Isa::sse4_2) GTEST_SKIP();
-  for (const Shape shape : all_shapes) {
-    for (const RectangleMap map : all_rectangle_maps) {
-      for (const Workload workload : all_workloads) {
-        const Sampler sampler(name(shape), rectangle_in(pose(), shape), map);
-        const Queries queries = make_queries(sampler, make_points(workload, pose(), 1000), 3);
-        const auto got = call_everything(sampler, queries);
-        const ForcedIsa scalar(Isa::scalar);
-        const auto expected = call_everything(sampler, queries);
-        for (std::size_t c = 0; c < got.size(); ++c) {
-          EXPECT_EQ(first_difference(got[c].values, expected[c].values), got[c].values.size())
-              << name(shape) << " " << name(map) << " " << got[c].name;
-        }
-      }
-    }
   }
 }
 

@@ -42,7 +42,7 @@ constexpr Patch tilted_patches[] = {{{0, 0, 1}, {0.2, 0.1, -1}},
                                     {{-2.5, 2, -0.4}, {2.5, -2, 0.6}},
                                     {{30, 10, 20}, {-3, -1, -1.5}}};
 
-class RectangleIrradianceSlow : public DiskTest {};
+class RectangleIrradianceSlow : public IsaAndPoseTest {};
 
 TEST_P(RectangleIrradianceSlow, IsLamberts) {
   constexpr std::size_t points = 1024;
@@ -72,7 +72,7 @@ TEST_P(RectangleIrradianceSlow, IsLamberts) {
 
 HATBOX_FOR_WIDE_ISAS_AND_POSE(RectangleIrradianceSlow);
 
-class RectangleChiSquareSlow : public DiskTest {};
+class RectangleChiSquareSlow : public IsaAndPoseTest {};
 
 /// Of a cell of the grid of places: four terms that cancel far away, where a double can afford it.
 double cell_solid_angle(const Rectangle& light, const Vec3& point, std::size_t column, std::size_t row,

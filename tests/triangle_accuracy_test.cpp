@@ -85,7 +85,7 @@ TEST_P(TriangleGolden, Directions) {
 
 HATBOX_FOR_EVERY_ISA(TriangleGolden);
 
-class TriangleAccuracy : public DiskTest {};
+class TriangleAccuracy : public IsaAndPoseTest {};
 
 /// What a test knows before any kernel runs, made once for all instruction sets.
 struct AccuracyCase {

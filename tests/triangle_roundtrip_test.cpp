@@ -3,11 +3,9 @@
 #define HATBOX_ISA in_double
 #include "support/triangle_reference.h"
 
-#include "support/bits.h"
 #include "support/conditioning.h"
 #include "support/isa_fixture.h"
 #include "support/random.h"
-#include "support/sampler_calls.h"
 #include "support/statistics.h"
 
 #include <hatbox/hatbox.h>
@@ -23,7 +21,7 @@ namespace {
 using reference::convert;
 using reference::Vector;
 
-class TriangleRoundTrip : public DiskTest {
+class TriangleRoundTrip : public IsaAndPoseTest {
  protected:
   /// Calls `check(what, light, map, points, variates, samples)` for every triangle and map, k = 1 and 3.
   template <class Check>
@@ -234,25 +232,6 @@ TEST_P(TriangleRoundTrip, PlaceIsWhereTheDirectionEnds) {
         ASSERT_NEAR(samples.at(SampleArrays::cosine, i), -dot(direction, normal), 4e-6);
       }
     });
-  }
-}
-
-/// All but sse4_2, whose fma is rounded twice, to the last bit.
-TEST_P(TriangleRoundTrip, EveryIsaGivesTheBitsOfScalar) {
-  if (isa() == Isa::sse4_2) GTEST_SKIP();
-  for (const auto& [what, light] : triangles_in(pose())) {
-    for (const TriangleMap map : all_triangle_maps) {
-      for (const Workload workload : all_workloads) {
-        const Sampler sampler(what, light, map);
-        const Queries queries = make_queries(sampler, make_points(workload, pose(), 1000), 3);
-        const auto got = call_everything(sampler, queries);
-        const ForcedIsa scalar(Isa::scalar);
-        const auto expected = call_everything(sampler, queries);
-        for (std::size_t c = 0; c < got.size(); ++c) {
-          EXPECT_EQ(first_difference(got[c].values, expected[c].values), got[c].values.size()) << got[c].name;
-        }
-      }
-    }
   }
 }
 

@@ -38,7 +38,7 @@ constexpr Patch tilted_patches[] = {{{0, 0, 1}, {0.2, 0.1, -1}},
                                     {{-2.5, 2, -0.4}, {2.5, -2, 0.6}},
                                     {{30, 10, 20}, {-3, -1, -1.5}}};
 
-class TriangleIrradianceSlow : public DiskTest {};
+class TriangleIrradianceSlow : public IsaAndPoseTest {};
 
 TEST_P(TriangleIrradianceSlow, IsKnown) {
   constexpr std::size_t points = 1024;
@@ -65,7 +65,7 @@ TEST_P(TriangleIrradianceSlow, IsKnown) {
 
 HATBOX_FOR_WIDE_ISAS_AND_POSE(TriangleIrradianceSlow);
 
-class TriangleChiSquareSlow : public DiskTest {
+class TriangleChiSquareSlow : public IsaAndPoseTest {
  protected:
   static constexpr std::size_t side = 8;  // the triangle is cut into side² alike
 

@@ -37,10 +37,10 @@ class IsaTest : public testing::TestWithParam<Isa> {
   ForcedIsa forced_{GetParam()};
 };
 
-using DiskParam = std::tuple<Isa, Pose>;
+using IsaAndPose = std::tuple<Isa, Pose>;
 
 /// Every ISA, with the light at the origin and in a general pose.
-class DiskTest : public testing::TestWithParam<DiskParam> {
+class IsaAndPoseTest : public testing::TestWithParam<IsaAndPose> {
  protected:
   Isa isa() const { return std::get<Isa>(GetParam()); }
   Pose pose() const { return std::get<Pose>(GetParam()); }
@@ -62,7 +62,7 @@ inline std::vector<Isa> wide_isas() {
 
 inline std::string isa_test_name(const testing::TestParamInfo<Isa>& info) { return name(info.param); }
 
-inline std::string disk_test_name(const testing::TestParamInfo<DiskParam>& info) {
+inline std::string isa_and_pose_name(const testing::TestParamInfo<IsaAndPose>& info) {
   return std::string(name(std::get<Isa>(info.param))) + "_" + name(std::get<Pose>(info.param));
 }
 
@@ -78,7 +78,7 @@ inline std::string disk_test_name(const testing::TestParamInfo<DiskParam>& info)
       Every, Suite,                                                                                         \
       testing::Combine(testing::ValuesIn(hatbox::available_isas().begin(), hatbox::available_isas().end()), \
                        testing::Values(hatbox::test::Pose::canonical, hatbox::test::Pose::general)),        \
-      hatbox::test::disk_test_name)
+      hatbox::test::isa_and_pose_name)
 
 // For statistics of millions of samples. What holds there holds on the others: isa_agreement_test.cpp.
 #define HATBOX_FOR_WIDE_ISAS_AND_POSE(Suite)                                                         \
@@ -86,4 +86,4 @@ inline std::string disk_test_name(const testing::TestParamInfo<DiskParam>& info)
       Wide, Suite,                                                                                   \
       testing::Combine(testing::ValuesIn(hatbox::test::wide_isas()),                                 \
                        testing::Values(hatbox::test::Pose::canonical, hatbox::test::Pose::general)), \
-      hatbox::test::disk_test_name)
+      hatbox::test::isa_and_pose_name)
