@@ -26,7 +26,7 @@ struct AreaRay {
     for (int i = 0; i < 3; ++i) out.direction[i] = l[i] * inverse_distance;
     out.distance = distance * V(unit);
     out.pdf = pdf;
-    out.cosine = -height * inverse_distance;
+    out.cosine = min(max(-height * inverse_distance, V(-1)), V(1));
     out.place = place;
     out.valid = honest(is_given && clear && is_finite(out.distance), out.pdf);
     return out;

@@ -97,9 +97,9 @@ class ConfocalEllipsoid {
   HATBOX_INLINE V beyond_the_shorter() const {
     const V C = height2_ + y2_;
     const V E = V(light_.ratio2) * y2_ / (C + constant<V>(smallest_normal<V>));
-    const V P = fma(E, x2_, C - E);
+    const V P = max(fma(E, x2_, C - E), V(0));
     const V B = l_.u_offset + (C - E);
-    return larger_root(B, max(P, V(0)), discriminant_of(B, P));
+    return larger_root(B, P, discriminant_of(B, P));
   }
 
   HATBOX_INLINE Confocal<V> last_step(V g, V j) const {

@@ -98,7 +98,7 @@ HATBOX_INLINE inline Eigen<V> eigen(const EllipseLight<V>& light, V w_u, V w_v, 
   const V large = select(circular, V(1), sqrt(fma(V(0.5) * abs(difference), inverse_size, V(0.5))));
   const V small = select(circular, V(0), abs(product) * inverse_size / large);
   const Mask<V> along_u = (difference > V(0)) && !circular;
-  return {copysign(select(along_u, large, small), -w_v), copysign(select(along_u, small, large), w_u + V(0)),
+  return {copysign(select(along_u, large, small), V(0) - w_v), copysign(select(along_u, small, large), w_u + V(0)),
           V(0.5) * (fma(ratio2, X + Z, Y + Z) + select(circular, V(0), size))};
 }
 

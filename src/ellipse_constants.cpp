@@ -17,7 +17,7 @@ struct SemiAxis {
 
 SemiAxis semi_axis(const Double3& v) {
   const double length = std::sqrt(dot(v, v));
-  return {scaled(1 / length, v), length};
+  return {divided(v, length), length};
 }
 
 /// The semi-axes of a light, by length, and its normal.

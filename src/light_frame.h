@@ -12,6 +12,8 @@ struct Double3 {
 inline Double3 in_double(const Vec3& v) { return {v.x, v.y, v.z}; }
 inline double dot(const Double3& a, const Double3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Double3 scaled(double factor, const Double3& v) { return {factor * v.x, factor * v.y, factor * v.z}; }
+/// Exact where v lies along an axis and has this length.
+inline Double3 divided(const Double3& v, double length) { return {v.x / length, v.y / length, v.z / length}; }
 inline Double3 cross(const Double3& a, const Double3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }

@@ -15,7 +15,8 @@ template <class V, class Light, class Memory>
 HATBOX_INLINE inline void store_sample(const SampleJob<Light>& job, const Memory& memory, std::size_t at,
                                        const LightSample<V>& sample) {
   const auto put = [&](float* to, V value) HATBOX_INLINE {
-    if (to != nullptr) memory.store(to + at, select(sample.valid, value, V(0)));
+    // + 0 makes 0 of −0, whose sign a negation gives on some instruction sets and not on others.
+    if (to != nullptr) memory.store(to + at, select(sample.valid, value, V(0)) + V(0));
   };
   for (int axis = 0; axis < 3; ++axis) put(job.direction[axis], sample.direction[axis]);
   put(job.distance, sample.distance);

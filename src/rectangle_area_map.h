@@ -13,7 +13,7 @@ class RectangleAreaMap {
  public:
   HATBOX_INLINE RectangleAreaMap(const RectangleLight<V>& light, V x, V y, V z) : light_(light), point_{x, y, z} {
     for (int i = 0; i < 3; ++i) l_[i] = (V(light.corner[i]) - point_[i]) * V(light.inverse_unit);
-    height_ = along(light.axes_hi[2], l_);
+    height_ = dot(l_, light.axes_hi[2], light.axes_lo[2]);  // next to the plane the products cancel
     density_ = V(light.inverse_area) / abs(height_);
   }
 

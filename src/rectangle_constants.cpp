@@ -15,7 +15,7 @@ struct Edge {
 
 Edge edge_of(const Double3& p) {
   const double length = std::sqrt(dot(p, p));
-  return {scaled(1 / length, p), length};
+  return {divided(p, length), length};
 }
 
 /// `p` without what it has along the unit vector `axis`.

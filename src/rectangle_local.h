@@ -132,6 +132,13 @@ inline RectangleHit<V> RectangleLocal<V>::hit(const V (&direction)[3]) const {
   hit.y = max(min(q_y * way, this->y1), this->y0);
   hit.inside = valid && (q_n > -blur) && (beyond(q_x, this->x0) >= -blur) && (beyond(q_x, this->x1) <= blur) &&
                (beyond(q_y, this->y0) >= -blur) && (beyond(q_y, this->y1) <= blur);
+  // Seen edge-on the four planes are nearly one: there the outline's two corners, as seen from the foot, bound it.
+  const V first_y = select(this->x0 > V(0), this->y1, this->y0), last_x = select(this->y0 > V(0), this->x1, this->x0);
+  const auto right_of = [&](V x, V y) { return fma(q_x, y, -(q_y * x)) >= -blur * sqrt(fma(x, x, y * y)); };
+  const auto left_of = [&](V x, V y) { return fma(q_y, x, -(q_x * y)) >= -blur * sqrt(fma(x, x, y * y)); };
+  hit.inside =
+      hit.inside && (!this->beside() || (right_of(this->x0, first_y) && left_of(last_x, this->y0) &&
+                                         (!(this->x0 > V(0)) || q_x >= -blur) && (!(this->y0 > V(0)) || q_y >= -blur)));
   return hit;
 }
 

@@ -73,9 +73,9 @@ class RejectionMap {
 
   HATBOX_INLINE Candidate candidate(V u, V v) const {
     const RectanglePoint<V> point = square_.point(shares_of(u), shares_of(v));
-    const V tau = fma(point.x.offset, scale_, V(-1)), sigma = point.y.value * scale_;
-    return {tau,     sigma,           point.x.value * point.inverse_r,     point.y.value * point.inverse_r,
-            point.r, point.inverse_r, fma(tau, tau, sigma * sigma) <= V(1)};
+    const V offset = point.x.offset * scale_, tau = offset - V(1), sigma = point.y.value * scale_;
+    return {tau,     sigma,           point.x.value * point.inverse_r,          point.y.value * point.inverse_r,
+            point.r, point.inverse_r, sigma * sigma <= offset * (V(2) - offset)};
   }
 
   static HATBOX_INLINE Candidate chosen(Mask<V> first, const Candidate& a, const Candidate& b) {

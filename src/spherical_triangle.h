@@ -71,7 +71,7 @@ class SphericalTriangle {
   /// The (u, v) of a direction inside; of others nearby some point of the square.
   Square<V> invert(const V (&direction)[3]) const;
 
-  /// Whether a direction lies inside, within a margin of 8 ulp of its coordinates.
+  /// Whether a direction lies inside, within a margin of 16 ulp of its coordinates.
   Mask<V> contains(const V (&direction)[3]) const;
 
   /// Where the plane is met, for a direction inside.
@@ -85,10 +85,6 @@ class SphericalTriangle {
   HATBOX_INLINE SphericalTriangle either(const Mask<V>& mask, const SphericalTriangle& other) const;
 
  private:
-  struct Vertex {  // by its direction
-    V x, y, z;
-  };
-
   template <class T>
   T turned(const T (&of_vertex)[3], int i) const {  // of vertex A, B or C
     return select(first_, of_vertex[i], select(second_, of_vertex[(i + 1) % 3], of_vertex[(i + 2) % 3]));
@@ -219,6 +215,8 @@ HATBOX_INLINE inline TrianglePoint<V> SphericalTriangle<V>::sample(const Shares<
   const V direction[3] = {fma(along_B, B_[0], fma(along_t, t_[0], along_n * n_[0])),
                           fma(along_B, B_[1], fma(along_t, t_[1], along_n * n_[1])), z_ / point.distance};
   const V length2 = fma(direction[0], direction[0], fma(direction[1], direction[1], direction[2] * direction[2]));
+  // Right at a vertex heights and cross products are rounding noise that contradicts itself: no sample is better.
+  point.distance = select(abs(length2 - V(1)) <= constant<V>(0x1p-10), point.distance, constant<V>(infinity<V>));
   const V to_unit = fma(V(-0.5), length2, V(1.5));  // 1/√length², which is 1 but for rounding
   for (int i = 0; i < 3; ++i) point.direction[i] = direction[i] * to_unit;
   point.place = {select(first_, wB, select(second_, wA, wC)) * inverse_sum,
@@ -258,21 +256,27 @@ inline Square<V> SphericalTriangle<V>::invert(const V (&direction)[3]) const {
   return {clamp_variate(u), clamp_variate(v)};
 }
 
-// Inside it is, by the sine of its angle, of the planes of all sides. Seen edge-on these are nearly one plane; then
-// that no two points of the triangle are farther apart than the longer side at one of them tells.
+// Inside it is, by the sine of its angle, of the planes of all sides.
 template <class V>
 inline Mask<V> SphericalTriangle<V>::contains(const V (&direction)[3]) const {
-  const V blur = constant<V>(8 * std::numeric_limits<Scalar<V>>::epsilon());
+  const V blur = constant<V>(16 * std::numeric_limits<Scalar<V>>::epsilon());
   Mask<V> inside = direction[2] >= -blur;
   for (int i = 0; i < 3; ++i) {
     inside = inside && (dot3(direction, normal_x_[i], normal_y_[i], normal_z_[i]) >= -blur);
-    const V reach = max(half_side_[(i + 1) % 3].sin, half_side_[(i + 2) % 3].sin);  // half a chord
-    const V x = direction[0] - unit_x_[i], y = direction[1] - unit_y_[i], z = direction[2] - unit_z_[i];
-    const V chord2 = fma(x, x, fma(y, y, z * z));
-    const V limit = fma(V(2), reach, blur);
-    // Beyond a right angle the circle about the vertex is not convex, and the planes are far from one.
-    inside = inside && !((chord2 > limit * limit) && (reach * reach <= V(0.5)));
   }
+  // Seen edge-on the planes of all sides are nearly one: there the two vertices that bound the outline as seen from the
+  // foot do it. Sides whose plane leans over are on its far side.
+  V toward_x = V(0), toward_y = V(0);
+  for (int i = 0; i < 3; ++i) {
+    const Mask<V> starts = normal_z_[(i + 2) % 3] < V(0), ends = normal_z_[(i + 1) % 3] < V(0);
+    const V reach = sqrt(fma(unit_x_[i], unit_x_[i], unit_y_[i] * unit_y_[i]));
+    const V turn = fma(unit_x_[i], direction[1], -(unit_y_[i] * direction[0]));
+    inside = inside && !(starts && !ends && (turn > blur * reach)) && !(ends && !starts && (turn < -blur * reach));
+    const Mask<V> silhouette = (starts && !ends) || (ends && !starts);
+    toward_x = toward_x + select(silhouette, unit_x_[i] / reach, V(0));
+    toward_y = toward_y + select(silhouette, unit_y_[i] / reach, V(0));
+  }
+  inside = inside && !(fma(toward_x, direction[0], toward_y * direction[1]) < V(-2) * blur);
   return inside;
 }
 

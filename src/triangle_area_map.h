@@ -23,9 +23,7 @@ class TriangleAreaMap {
     const V half = V(0.5) * min(clamped_u, clamped_v);
     const Mask<V> upper = clamped_v > clamped_u;
     const Place<V> place = {select(upper, half, clamped_u - half), select(upper, clamped_v - half, half)};
-    LightSample<V> out = to(place).sample(place, height_, light_.unit, is_finite(u + v));
-    out.cosine = min(max(out.cosine, V(-1)), V(1));
-    return out;
+    return to(place).sample(place, height_, light_.unit, is_finite(u + v));
   }
 
   V pdf_of_place(const Place<V>& place) const {

@@ -45,7 +45,7 @@ TriangleConstantsOf<T> constants_of(const Triangle& light) {
                 ac = scaled(1 / unit, difference(light.c, light.a));
   const Double3 normal = accurate_cross(ab, ac);
   const double doubled_area = length(normal), ab_length = length(ab);
-  const Double3 x = scaled(1 / ab_length, ab), z = scaled(1 / doubled_area, normal), y = cross(z, x);
+  const Double3 x = divided(ab, ab_length), z = divided(normal, doubled_area), y = cross(z, x);
   const double axes[3][3] = {{x.x, x.y, x.z}, {y.x, y.y, y.z}, {z.x, z.y, z.z}};
   const double c[2] = {dot(ac, x), doubled_area / ab_length};
   const double sides[3][2] = {{c[0] - ab_length, c[1]}, {-c[0], -c[1]}, {ab_length, 0}};

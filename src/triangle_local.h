@@ -86,11 +86,14 @@ struct TriangleLocal {
     in_plane.doubled_area = V(light.doubled_area);
     const V height = abs(n.high);
     in_plane.z = max(height, constant<V>(least_triangle_height));
+    const Mask<V> beside = min(min(in_plane.cross[0], in_plane.cross[1]), in_plane.cross[2]) < V(0);
+    shrinking = select(beside, min(height * constant<V>(1 / least_triangle_height), V(1)), V(1));
     above = n.high < V(0);
     valid = (height > V(0)) && is_finite(a_x.high + a_y.high + n.high);
   }
 
   PlaneTriangle<V> in_plane;
+  V shrinking;    // how much smaller the solid angle is than that seen from in_plane.z
   Mask<V> above;  // the shading point lies on the side of the normal
   Mask<V> valid;  // false in the light's plane and for non-finite points; the rest is then of no use
 };

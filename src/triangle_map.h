@@ -28,17 +28,22 @@ struct TriangleView {
 
   const TriangleLight<V>& light;
   SphericalTriangle<V> spherical;
+  V shrinking;
   Mask<V> above;
   Mask<V> valid;
 
  private:
   HATBOX_INLINE TriangleView(const TriangleLight<V>& triangle, const TriangleLocal<V>& local)
-      : light(triangle), spherical(local.in_plane), above(local.above), valid(local.valid) {}
+      : light(triangle),
+        spherical(local.in_plane),
+        shrinking(local.shrinking),
+        above(local.above),
+        valid(local.valid) {}
 };
 
 template <class V>
 inline V solid_angle_of(const TriangleView<V>& view) {
-  return view.spherical.solid_angle();
+  return view.spherical.solid_angle() * view.shrinking;
 }
 
 /// Whether a place is on a triangle: a sampled one is within 16 ulp of it.
@@ -52,7 +57,11 @@ inline Mask<V> on_unit_triangle(const Place<V>& place) {
 template <class V>
 class TriangleMapOf {
  public:
-  HATBOX_INLINE TriangleMapOf(const TriangleLight<V>& light, V x, V y, V z) : view_(light, x, y, z) {}
+  HATBOX_INLINE TriangleMapOf(const TriangleLight<V>& light, V x, V y, V z) : view_(light, x, y, z) {
+    const V solid_angle = solid_angle_of(view_);
+    density_ = V(1) / solid_angle;
+    valid_ = honest(honest(view_.valid, solid_angle), density_);
+  }
 
   HATBOX_INLINE LightSample<V> sample(V u, V v) const {
     const TriangleLight<V>& light = view_.light;
@@ -64,10 +73,10 @@ class TriangleMapOf {
                              fma(V(light.axes[1][i]), point.direction[1], V(light.axes[2][i]) * n));
     }
     out.distance = point.distance * V(light.unit);
-    out.pdf = view_.spherical.inverse_solid_angle();
+    out.pdf = density_;
     out.cosine = -n;
     out.place = point.place;
-    out.valid = honest(view_.valid && is_finite(u + v) && is_finite(out.distance), out.pdf);
+    out.valid = valid_ && is_finite(u + v) && is_finite(out.distance);
     return out;
   }
 
@@ -78,17 +87,16 @@ class TriangleMapOf {
   Square<V> invert(const V (&direction)[3]) const {
     const auto hit = view_.hit(direction);
     const Square<V> square = view_.spherical.invert(hit.direction);
-    const Mask<V> inside = honest(hit.inside, view_.spherical.inverse_solid_angle());
+    const Mask<V> inside = hit.inside && valid_;
     return {select(inside, square.u, V(-1)), select(inside, square.v, V(-1))};
   }
 
  private:
-  V pdf(Mask<V> hit) const {
-    const V density = view_.spherical.inverse_solid_angle();
-    return select(honest(hit, density), density, V(0));
-  }
+  V pdf(Mask<V> hit) const { return select(hit && valid_, density_, V(0)); }
 
   TriangleView<V> view_;
+  V density_;  // 1/Ω
+  Mask<V> valid_;
 };
 
 }  // namespace

@@ -65,7 +65,7 @@ class UniformRectangle {
  public:
   HATBOX_INLINE explicit UniformRectangle(const RectangleSides<V>& sides) : strips_(sides), area_(strips_.area()) {}
 
-  V solid_angle() const { return area_ * strips_.shrinking(); }
+  V solid_angle() const { return min(constant<V>(2 * pi), area_ * strips_.shrinking()); }
   V seen_height() const { return strips_.seen_height(); }
 
   HATBOX_INLINE RectanglePoint<V> point(const Shares<V>& u, const Shares<V>& v) const {

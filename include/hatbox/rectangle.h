@@ -43,8 +43,8 @@ enum class RectangleMap {
 void sample(const Rectangle& light, RectangleMap map, Points points, Variates variates, Samples out);
 
 /// The density, per steradian, with which `sample` picks each of the k·n `directions` (unit length, not checked): 0 for
-/// one that misses the light. The hit test has a margin of 8 ulp of the direction, in favour of a hit. `out` has k·n
-/// elements. What `sample` returned is met to 1e-5, as far as a float direction can tell.
+/// one that misses the light. The hit test has a margin of 8 ulp (two_triangles: 16) of the direction, in favour of a
+/// hit. `out` has k·n elements. What `sample` returned is met to 1e-5, as far as a float direction can tell.
 void pdf(const Rectangle& light, RectangleMap map, Points points, Directions directions, std::span<float> out);
 
 /// The density, per steradian, with which `sample` picks the direction to each of the k·n `places`: 0 outside the
