@@ -31,8 +31,8 @@ enum class RectangleMap {
 ///
 /// `out.pdf` is the density of the map as it was computed, so estimates are unbiased whatever the rounding; for
 /// spherical and two_triangles it is 1/Ω. Places and directions are right to 2e-6 of the light's diameter as it is
-/// seen, directions also to 4e-7 rad (two_triangles: 1e-6), which is what a float direction can tell, and of unit
-/// length to 1e-6.
+/// seen (two_triangles next to the light: 1e-5), directions also to 4e-7 rad (two_triangles: 1e-6), which is what a
+/// float direction can tell, and of unit length to 1e-6.
 ///
 /// two_triangles is the comparison of the paper: as even as spherical, but it tears the square apart at the diagonal,
 /// and so spoils stratified variates somewhat. Where another side of one of its triangles becomes the smallest as seen
