@@ -53,15 +53,11 @@ class AreaMap {
     return to(place).sample(place, height_, light_.radius, is_finite(u + v));
   }
 
-  V pdf_of_place(const Place<V>& place) const {
-    const AreaRay<V> ray = to(place);
-    return select(honest(on_unit_disk(place) && ray.clear, ray.pdf), ray.pdf, V(0));
-  }
+  V pdf_of_place(const Place<V>& place) const { return to(place).pdf_where(on_unit_disk(place)); }
 
   V pdf_of_direction(const V (&direction)[3]) const {
     const Hit hit = intersect(direction);
-    const V density = hit.distance * hit.distance * density_ * hit.distance;
-    return select(honest(hit.inside, density), density, V(0));
+    return area_pdf(hit.distance, density_, hit.inside);
   }
 
   Square<V> invert(const V (&direction)[3]) const {

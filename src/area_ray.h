@@ -32,11 +32,20 @@ struct AreaRay {
     return out;
   }
 
+  V pdf_where(Mask<V> on_light) const { return select(honest(on_light && clear, pdf), pdf, V(0)); }
+
   V l[3];
   V distance, inverse_distance;
   V pdf;
   Mask<V> clear;  // of the place, by more than what underflows when squared
 };
+
+/// The density of a direction that ends at this distance; `density` as above.
+template <class V>
+inline V area_pdf(V distance, V density, Mask<V> hit) {
+  const V pdf = distance * distance * density * distance;
+  return select(honest(hit, pdf), pdf, V(0));
+}
 
 }  // namespace
 }  // namespace hatbox::HATBOX_ISA

@@ -164,7 +164,7 @@ HATBOX_INLINE inline void DiskCone<V>::emit(const EllipsePoint<V>& q, LightSampl
   const V q_t = fma(m_t, q.z, m_n * (this->b * q.y));
   const V q_n = m_n * down.value;
   const V along[3] = {fma(q_t, t_u, -(q_x * t_v)), fma(q_t, t_v, q_x * t_u), select(below, q_n, -q_n)};
-  set_direction(light, along, out);
+  set_direction(light.axes, along, out);
   const V distance = height_over_m_n * down.inverse;
   out.distance = distance * V(light.radius);
   const V far_tau = fma(-kappa, q.z, this->cos_beta * q.y) * down.inverse;

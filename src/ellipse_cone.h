@@ -226,7 +226,7 @@ HATBOX_INLINE inline void EllipseCone<V>::emit(const EllipsePoint<V>& q, LightSa
   const V q_n = m_n * down.value;
   const V along[3] = {fma(x_axis[0], q.x, fma(y_axis[0], q.y, z_axis[0] * q.z)),
                       fma(x_axis[1], q.x, fma(y_axis[1], q.y, z_axis[1] * q.z)), select(below, q_n, -q_n)};
-  set_direction(light, along, out);
+  set_direction(light.axes, along, out);
   out.distance = reach * down.inverse * V(light.radius);
   const auto place = [&](int i) HATBOX_INLINE {
     const V numerator = fma(place_row[i][0], q.x, fma(place_row[i][1], q.y, place_row[i][2] * q.z));

@@ -9,31 +9,20 @@
 namespace hatbox {
 namespace {
 
-/// A semi-axis: a unit vector and its length.
-struct SemiAxis {
-  Double3 unit;
-  double length;
-};
-
-SemiAxis semi_axis(const Double3& v) {
-  const double length = std::sqrt(dot(v, v));
-  return {divided(v, length), length};
-}
-
 /// The semi-axes of a light, by length, and its normal.
 struct Frame {
-  SemiAxis longer, shorter;
+  Extent longer, shorter;
   Double3 normal;
   bool swapped;  // semi_axis_v is the longer one
 };
 
 Frame frame_of(const Ellipse& light) {
-  SemiAxis u = semi_axis(in_double(light.semi_axis_u)), v = semi_axis(in_double(light.semi_axis_v));
+  Extent u = extent_of(in_double(light.semi_axis_u)), v = extent_of(in_double(light.semi_axis_v));
   // Rounded coordinates make the axes of a circle differ by an ulp or two. Taken for an ellipse's they would turn the
   // maps by any angle.
   constexpr double rounding = 0x1p-22;
   if (std::abs(u.length - v.length) <= rounding * u.length) v.length = u.length;
-  const Double3 normal = semi_axis(cross(u.unit, v.unit)).unit;
+  const Double3 normal = extent_of(cross(u.unit, v.unit)).unit;
   const bool swapped = v.length > u.length;
   if (swapped) std::swap(u, v);
   // Only the shorter one is turned: the longer one's end would move by more than the shorter's length.

@@ -3,6 +3,8 @@
 
 #include <hatbox/lights.h>
 
+#include <cmath>
+
 namespace hatbox {
 
 struct Double3 {
@@ -14,6 +16,15 @@ inline double dot(const Double3& a, const Double3& b) { return a.x * b.x + a.y *
 inline Double3 scaled(double factor, const Double3& v) { return {factor * v.x, factor * v.y, factor * v.z}; }
 /// Exact where v lies along an axis and has this length.
 inline Double3 divided(const Double3& v, double length) { return {v.x / length, v.y / length, v.z / length}; }
+/// A direction and a length.
+struct Extent {
+  Double3 unit;
+  double length;
+};
+inline Extent extent_of(const Double3& v) {
+  const double length = std::sqrt(dot(v, v));
+  return {divided(v, length), length};
+}
 inline Double3 cross(const Double3& a, const Double3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }

@@ -33,12 +33,24 @@ inline Mask<V> is_finite(V x) {
   return abs(x) < constant<V>(infinity<V>);
 }
 
+/// The density of a map that is uniform in a solid angle, and whether a lane has one.
+template <class V>
+struct UniformDensity {
+  HATBOX_INLINE UniformDensity(Mask<V> is_given, V solid_angle) : value(V(1) / solid_angle) {
+    valid = honest(honest(is_given, solid_angle), value);
+  }
+
+  V where(Mask<V> hit) const { return select(hit && valid, value, V(0)); }
+
+  V value;
+  Mask<V> valid;
+};
+
 /// A direction given along the light's own axes, in world space, and the cosine.
-template <class Light, class V>
-HATBOX_INLINE inline void set_direction(const Light& light, const V (&along)[3], LightSample<V>& out) {
+template <class V>
+HATBOX_INLINE inline void set_direction(const Scalar<V> (&axes)[3][3], const V (&along)[3], LightSample<V>& out) {
   for (int i = 0; i < 3; ++i) {
-    out.direction[i] =
-        fma(V(light.axes[0][i]), along[0], fma(V(light.axes[1][i]), along[1], V(light.axes[2][i]) * along[2]));
+    out.direction[i] = fma(V(axes[0][i]), along[0], fma(V(axes[1][i]), along[1], V(axes[2][i]) * along[2]));
   }
   out.cosine = -along[2];
 }

@@ -22,16 +22,12 @@ class RectangleAreaMap {
     return to(place).sample(place, height_, light_.unit, is_finite(u + v));
   }
 
-  V pdf_of_place(const Place<V>& place) const {
-    const AreaRay<V> ray = to(place);
-    return select(honest(on_unit_square(place) && ray.clear, ray.pdf), ray.pdf, V(0));
-  }
+  V pdf_of_place(const Place<V>& place) const { return to(place).pdf_where(on_unit_square(place)); }
 
   V pdf_of_direction(const V (&direction)[3]) const {
     const V distance = height_ / along(light_.axes_hi[2], direction);
-    const V density = distance * distance * density_ * distance;
     const Mask<V> inside = RectangleLocal<V>(light_, point_[0], point_[1], point_[2]).hit(direction).inside;
-    return select(honest(inside && (distance > V(0)), density), density, V(0));
+    return area_pdf(distance, density_, inside && (distance > V(0)));
   }
 
   Square<V> invert(const V (&direction)[3]) const {

@@ -7,17 +7,6 @@
 namespace hatbox {
 namespace {
 
-/// An edge's direction and length.
-struct Edge {
-  Double3 unit;
-  double length;
-};
-
-Edge edge_of(const Double3& p) {
-  const double length = std::sqrt(dot(p, p));
-  return {divided(p, length), length};
-}
-
 /// `p` without what it has along the unit vector `axis`.
 Double3 without(const Double3& p, const Double3& axis) {
   const double along = dot(p, axis);
@@ -29,11 +18,11 @@ Double3 without(const Double3& p, const Double3& axis) {
 template <class T>
 RectangleConstantsOf<T> constants_of(const Rectangle& light) {
   const Double3 u = in_double(light.edge_u), v = in_double(light.edge_v);
-  Edge edges[2] = {edge_of(u), edge_of(v)};
+  Extent edges[2] = {extent_of(u), extent_of(v)};
   if (edges[0].length >= edges[1].length) {
-    edges[1] = edge_of(without(v, edges[0].unit));
+    edges[1] = extent_of(without(v, edges[0].unit));
   } else {
-    edges[0] = edge_of(without(u, edges[1].unit));
+    edges[0] = extent_of(without(u, edges[1].unit));
   }
   const Double3 normal = cross(edges[0].unit, edges[1].unit);
   const Double3 axes[3] = {edges[0].unit, edges[1].unit, normal};

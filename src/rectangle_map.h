@@ -23,23 +23,17 @@ inline V solid_angle_of(const RectangleView<V>& view) {
 template <class V>
 class SphericalRectangle {
  public:
-  HATBOX_INLINE SphericalRectangle(const RectangleLight<V>& light, V x, V y, V z) : view_(light, x, y, z) {
-    const V solid_angle = view_.uniform.solid_angle();
-    density_ = V(1) / solid_angle;
-    valid_ = honest(honest(view_.valid, solid_angle), density_);
-  }
+  HATBOX_INLINE SphericalRectangle(const RectangleLight<V>& light, V x, V y, V z)
+      : view_(light, x, y, z), density_(view_.valid, solid_angle_of(view_)) {}
 
   HATBOX_INLINE LightSample<V> sample(V u, V v) const;
-  V pdf_of_place(const Place<V>& place) const { return select(on_unit_square(place) && valid_, density_, V(0)); }
-  V pdf_of_direction(const V (&direction)[3]) const {
-    return select(view_.hit(direction).inside && valid_, density_, V(0));
-  }
+  V pdf_of_place(const Place<V>& place) const { return density_.where(on_unit_square(place)); }
+  V pdf_of_direction(const V (&direction)[3]) const { return density_.where(view_.hit(direction).inside); }
   Square<V> invert(const V (&direction)[3]) const;
 
  private:
   RectangleView<V> view_;
-  V density_;  // 1/Ω
-  Mask<V> valid_;
+  UniformDensity<V> density_;
 };
 
 template <class V>
@@ -48,17 +42,12 @@ HATBOX_INLINE inline LightSample<V> SphericalRectangle<V>::sample(V u, V v) cons
   const V x = point.x.value, y = point.y.value;
   const V along[3] = {select(view_.flip_x, -x, x) * point.inverse_r, select(view_.flip_y, -y, y) * point.inverse_r,
                       view_.uniform.seen_height() * point.inverse_r};
-  const RectangleLight<V>& light = view_.light;
   LightSample<V> out;
-  for (int i = 0; i < 3; ++i) {
-    out.direction[i] =
-        fma(V(light.axes_hi[0][i]), along[0], fma(V(light.axes_hi[1][i]), along[1], V(light.axes_hi[2][i]) * along[2]));
-  }
+  set_direction(view_.light.axes_hi, along, out);
   out.distance = point.r * view_.scale;
-  out.pdf = density_;
-  out.cosine = -along[2];
+  out.pdf = density_.value;
   out.place = view_.place_at(point.x.offset, point.y.offset);
-  out.valid = valid_ && is_finite(u + v) && is_finite(out.distance + point.inverse_r);
+  out.valid = density_.valid && is_finite(u + v) && is_finite(out.distance + point.inverse_r);
   return out;
 }
 
@@ -66,7 +55,7 @@ template <class V>
 inline Square<V> SphericalRectangle<V>::invert(const V (&direction)[3]) const {
   const RectangleHit<V> hit = view_.hit(direction);
   const V u = view_.uniform.u_of(hit.x), v = view_.uniform.v_of(hit.x, hit.y);
-  const Mask<V> inside = hit.inside && valid_;
+  const Mask<V> inside = hit.inside && density_.valid;
   return {select(inside, clamp_variate(select(view_.flip_x, V(1) - u, u)), V(-1)),
           select(inside, clamp_variate(select(view_.flip_y, V(1) - v, v)), V(-1))};
 }

@@ -26,28 +26,25 @@ class RejectionMap {
   static constexpr int tries = 15;
 
   HATBOX_INLINE RejectionMap(const DiskLight<V>& light, V x, V y, V z)
-      : cone_(light, x, y, z), scale_(scale_of(cone_)), square_(sides_of(cone_)) {
-    const V solid_angle = solid_angle_of(cone_);
-    density_ = V(1) / solid_angle;
-    valid_ = honest(honest(cone_.valid, solid_angle), density_);
-  }
+      : cone_(light, x, y, z),
+        scale_(power_of_two(largest(cone_))),
+        square_(sides_of(cone_)),
+        density_(cone_.valid, solid_angle_of(cone_)) {}
 
   HATBOX_INLINE LightSample<V> sample(V u, V v) const {
     Candidate taken = candidate(u, v);
-    for (int i = 1; i < tries && any(valid_ && !taken.on_disk); ++i) {
+    for (int i = 1; i < tries && any(density_.valid && !taken.on_disk); ++i) {
       const Square<V> hashed = hash_of(clamp_variate(u), clamp_variate(v), i);
       taken = chosen(taken.on_disk, taken, candidate(hashed.u, hashed.v));
     }
     LightSample<V> out = emit(taken);
-    out.valid = valid_ && taken.on_disk && is_finite(u + v) && is_finite(out.distance);
+    out.valid = density_.valid && taken.on_disk && is_finite(u + v) && is_finite(out.distance);
     return out;
   }
 
-  V pdf_of_place(const Place<V>& place) const { return select(on_unit_disk(place) && valid_, density_, V(0)); }
+  V pdf_of_place(const Place<V>& place) const { return density_.where(on_unit_disk(place)); }
 
-  V pdf_of_direction(const V (&direction)[3]) const {
-    return select(cone_.hit(direction).inside && valid_, density_, V(0));
-  }
+  V pdf_of_direction(const V (&direction)[3]) const { return density_.where(cone_.hit(direction).inside); }
 
  private:
   struct Candidate {
@@ -57,10 +54,11 @@ class RejectionMap {
     Mask<V> on_disk;
   };
 
-  static V scale_of(const DiskCone<V>& cone) { return power_of_two(max(cone.d + V(1), cone.height)); }
+  /// Of the square's coordinates.
+  static V largest(const DiskCone<V>& cone) { return max(cone.d + V(1), cone.height); }
 
   static HATBOX_INLINE RectangleSides<V> sides_of(const DiskCone<V>& cone) {
-    const V down = inverse_power_of_two(max(cone.d + V(1), cone.height)), height = cone.height * down;
+    const V down = inverse_power_of_two(largest(cone)), height = cone.height * down;
     return {cone.from_rim * down,
             (cone.d + V(1)) * down,
             -down,
@@ -90,9 +88,9 @@ class RejectionMap {
     const V along[3] = {fma(point.q_t, t_u, -(point.q_x * t_v)), fma(point.q_t, t_v, point.q_x * t_u),
                         select(cone_.below, q_n, -q_n)};
     LightSample<V> out;
-    set_direction(cone_.light, along, out);
+    set_direction(cone_.light.axes, along, out);
     out.distance = point.r * scale_ * V(cone_.light.radius);
-    out.pdf = density_;
+    out.pdf = density_.value;
     out.place = {fma(point.tau, t_u, -(point.sigma * t_v)), fma(point.tau, t_v, point.sigma * t_u)};
     return out;
   }
@@ -100,8 +98,7 @@ class RejectionMap {
   DiskCone<V> cone_;
   V scale_;  // radii in a scaled length
   UniformRectangle<V> square_;
-  V density_;  // 1/Ω
-  Mask<V> valid_;
+  UniformDensity<V> density_;
 };
 
 }  // namespace

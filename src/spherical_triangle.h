@@ -47,14 +47,6 @@ HATBOX_INLINE inline V angle_of_upper(V y, V x) {
   return select(x < V(0), constant<V>(pi) - from_axis, from_axis);
 }
 
-/// Of an angle in [0, π/2].
-template <class V>
-HATBOX_INLINE inline SinCos<V> sincos_quarter(V x) {
-  const SinCos<V> half = sincos_octant(x * constant<V>(2 / pi));
-  const V twice = half.sin + half.sin;
-  return {twice * half.cos, fma(-twice, half.sin, V(1))};
-}
-
 template <class V>
 class SphericalTriangle {
  public:
@@ -178,7 +170,7 @@ template <class V>
 HATBOX_INLINE inline TrianglePoint<V> SphericalTriangle<V>::sample(const Shares<V>& u, V v) const {
   v = clamp_variate(v);
   const V rest_v = V(1) - v;
-  const SinCos<V> near = sincos_quarter(min(u.share, u.rest) * half_area_);
+  const SinCos<V> near = doubled(sincos_octant(min(u.share, u.rest) * half_area_ * constant<V>(2 / pi)));
   const SinCos<V> far = {fma(half_.sin, near.cos, -(half_.cos * near.sin)),
                          fma(half_.cos, near.cos, half_.sin * near.sin)};
   const Mask<V> first_half = u.share <= u.rest;

@@ -57,46 +57,36 @@ inline Mask<V> on_unit_triangle(const Place<V>& place) {
 template <class V>
 class TriangleMapOf {
  public:
-  HATBOX_INLINE TriangleMapOf(const TriangleLight<V>& light, V x, V y, V z) : view_(light, x, y, z) {
-    const V solid_angle = solid_angle_of(view_);
-    density_ = V(1) / solid_angle;
-    valid_ = honest(honest(view_.valid, solid_angle), density_);
-  }
+  HATBOX_INLINE TriangleMapOf(const TriangleLight<V>& light, V x, V y, V z)
+      : view_(light, x, y, z), density_(view_.valid, solid_angle_of(view_)) {}
 
   HATBOX_INLINE LightSample<V> sample(V u, V v) const {
     const TriangleLight<V>& light = view_.light;
     const TrianglePoint<V> point = view_.spherical.sample(u, v);
     const V n = select(view_.above, -point.direction[2], point.direction[2]);
     LightSample<V> out;
-    for (int i = 0; i < 3; ++i) {
-      out.direction[i] = fma(V(light.axes[0][i]), point.direction[0],
-                             fma(V(light.axes[1][i]), point.direction[1], V(light.axes[2][i]) * n));
-    }
+    set_direction(light.axes, {point.direction[0], point.direction[1], n}, out);
     out.distance = point.distance * V(light.unit);
-    out.pdf = density_;
-    out.cosine = -n;
+    out.pdf = density_.value;
     out.place = point.place;
-    out.valid = valid_ && is_finite(u + v) && is_finite(out.distance);
+    out.valid = density_.valid && is_finite(u + v) && is_finite(out.distance);
     return out;
   }
 
-  V pdf_of_place(const Place<V>& place) const { return pdf(view_.valid && on_unit_triangle(place)); }
+  V pdf_of_place(const Place<V>& place) const { return density_.where(on_unit_triangle(place)); }
 
-  V pdf_of_direction(const V (&direction)[3]) const { return pdf(view_.hit(direction).inside); }
+  V pdf_of_direction(const V (&direction)[3]) const { return density_.where(view_.hit(direction).inside); }
 
   Square<V> invert(const V (&direction)[3]) const {
     const auto hit = view_.hit(direction);
     const Square<V> square = view_.spherical.invert(hit.direction);
-    const Mask<V> inside = hit.inside && valid_;
+    const Mask<V> inside = hit.inside && density_.valid;
     return {select(inside, square.u, V(-1)), select(inside, square.v, V(-1))};
   }
 
  private:
-  V pdf(Mask<V> hit) const { return select(hit && valid_, density_, V(0)); }
-
   TriangleView<V> view_;
-  V density_;  // 1/Ω
-  Mask<V> valid_;
+  UniformDensity<V> density_;
 };
 
 }  // namespace

@@ -70,22 +70,18 @@ class TwoTriangles {
     const TrianglePoint<V> point = first_.either(choice.first, second_).sample(choice.u, v);
     const V n = select(above_, -point.direction[2], point.direction[2]);
     LightSample<V> out;
-    for (int i = 0; i < 3; ++i) {
-      out.direction[i] = fma(V(light_.axes_hi[0][i]), point.direction[0],
-                             fma(V(light_.axes_hi[1][i]), point.direction[1], V(light_.axes_hi[2][i]) * n));
-    }
+    set_direction(light_.axes_hi, {point.direction[0], point.direction[1], n}, out);
     out.distance = point.distance * V(light_.unit);
-    out.pdf = density_;
-    out.cosine = -n;
+    out.pdf = density_.value;
     const V both = min(point.place.s + point.place.t, V(1));
     out.place = {select(choice.first, both, point.place.s), select(choice.first, point.place.t, both)};
-    out.valid = valid_ && is_finite(u + v) && is_finite(out.distance);
+    out.valid = density_.valid && is_finite(u + v) && is_finite(out.distance);
     return out;
   }
 
-  V pdf_of_place(const Place<V>& place) const { return select(valid_ && on_unit_square(place), density_, V(0)); }
+  V pdf_of_place(const Place<V>& place) const { return density_.where(on_unit_square(place)); }
 
-  V pdf_of_direction(const V (&direction)[3]) const { return select(hit(direction).inside, density_, V(0)); }
+  V pdf_of_direction(const V (&direction)[3]) const { return density_.where(hit(direction).inside); }
 
   Square<V> invert(const V (&direction)[3]) const {
     const Hit seen = hit(direction);
@@ -109,12 +105,12 @@ class TwoTriangles {
   };
 
   HATBOX_INLINE TwoTriangles(const RectangleLight<V>& light, const RectangleHalves<V>& halves)
-      : light_(light), first_(halves.first), second_(halves.second), above_(halves.above) {
-    both_ = first_.solid_angle() + second_.solid_angle();
-    const V solid_angle = both_ * halves.shrinking;
-    density_ = V(1) / solid_angle;
-    valid_ = honest(honest(halves.valid, solid_angle), density_);
-  }
+      : light_(light),
+        first_(halves.first),
+        second_(halves.second),
+        above_(halves.above),
+        both_(first_.solid_angle() + second_.solid_angle()),
+        density_(halves.valid, both_ * halves.shrinking) {}
 
   HATBOX_INLINE Choice choose(V u) const {
     const V of_first = first_.solid_angle(), of_second = second_.solid_angle();
@@ -128,17 +124,16 @@ class TwoTriangles {
   Hit hit(const V (&direction)[3]) const {
     const auto component = [&](int i) { return dot(direction, light_.axes_hi[i], light_.axes_lo[i]); };
     const V n = component(2);
-    Hit hit = {{component(0), component(1), select(above_, -n, n)}, valid_};
-    hit.inside = valid_ && (first_.contains(hit.direction) || second_.contains(hit.direction));
+    Hit hit = {{component(0), component(1), select(above_, -n, n)}, density_.valid};
+    hit.inside = density_.valid && (first_.contains(hit.direction) || second_.contains(hit.direction));
     return hit;
   }
 
   const RectangleLight<V>& light_;
   SphericalTriangle<V> first_, second_;
   Mask<V> above_;
-  V both_;     // of their solid angles
-  V density_;  // 1/Ω
-  Mask<V> valid_;
+  V both_;  // of their solid angles
+  UniformDensity<V> density_;
 };
 
 }  // namespace
