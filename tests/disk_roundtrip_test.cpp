@@ -3,6 +3,7 @@
 #include "support/conditioning.h"
 #include "support/disk_maps.h"
 #include "support/isa_fixture.h"
+#include "support/opposites.h"
 #include "support/statistics.h"
 #include "support/workloads.h"
 
@@ -195,15 +196,7 @@ TEST_P(DiskRoundTrip, OutsideTheRimIsAMiss) {
 TEST_P(DiskRoundTrip, AwayFromTheLightIsAMiss) {
   for_samplings_by(disk_bijections, Workload::w1,
                    [&](DiskMap map, const PointArrays& points, const VariateArrays&, SampleArrays& samples) {
-                     for (const auto c : {SampleArrays::x, SampleArrays::y, SampleArrays::z}) {
-                       for (float& value : samples.columns[c]) value = -value;
-                     }
-                     std::vector<float> density(samples.size()), u(samples.size()), v(samples.size());
-                     pdf(light(), map, points.view(), samples.directions(), density);
-                     invert(light(), map, points.view(), samples.directions(), u, v);
-                     EXPECT_TRUE(std::ranges::all_of(density, [](float x) { return x == 0; }));
-                     EXPECT_TRUE(std::ranges::all_of(u, [](float x) { return x == -1; }));
-                     EXPECT_TRUE(std::ranges::all_of(v, [](float x) { return x == -1; }));
+                     expect_opposites_miss(light(), map, points.view(), samples);
                    });
 }
 

@@ -6,6 +6,7 @@
 #include "reference/vector.h"
 #include "support/conditioning.h"
 #include "support/isa_fixture.h"
+#include "support/opposites.h"
 #include "support/rectangles.h"
 #include "support/statistics.h"
 #include "support/workloads.h"
@@ -167,18 +168,9 @@ TEST_P(RectangleRoundTrip, PdfOfDirectionIsThatOfSample) {
 }
 
 TEST_P(RectangleRoundTrip, AwayFromTheLightIsAMiss) {
-  for_every_sampling(Workload::w1, [](const Rectangle& light, RectangleMap map, const PointArrays& points,
-                                      const VariateArrays&, SampleArrays& samples) {
-    for (const auto c : {SampleArrays::x, SampleArrays::y, SampleArrays::z}) {
-      for (float& value : samples.columns[c]) value = -value;
-    }
-    std::vector<float> density(samples.size()), u(samples.size()), v(samples.size());
-    pdf(light, map, points.view(), samples.directions(), density);
-    invert(light, map, points.view(), samples.directions(), u, v);
-    EXPECT_TRUE(std::ranges::all_of(density, [](float x) { return x == 0; }));
-    EXPECT_TRUE(std::ranges::all_of(u, [](float x) { return x == -1; }));
-    EXPECT_TRUE(std::ranges::all_of(v, [](float x) { return x == -1; }));
-  });
+  for_every_sampling(Workload::w1,
+                     [](const Rectangle& light, RectangleMap map, const PointArrays& points, const VariateArrays&,
+                        SampleArrays& samples) { expect_opposites_miss(light, map, points.view(), samples); });
 }
 
 /// Directions to places around the rim: hits inside, misses from a little outside on.

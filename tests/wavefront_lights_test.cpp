@@ -150,21 +150,6 @@ double under_corner(double x, double y) {
   return (x / a * std::atan(y / a) + y / b * std::atan(x / b)) / 2;
 }
 
-/// A patch of reflectance ½ at the origin under a light, seen from above it.
-std::string patch_under(const std::string& shape, bool hide) {
-  return std::string(R"(<integrator type="direct"><boolean name="hideEmitters" value=")") + (hide ? "true" : "false") +
-         R"("/></integrator>
-<sensor type="perspective">
-  <transform name="toWorld"><lookAt origin="0, 5, 0" target="0, 0, 0" up="0, 0, 1"/></transform>
-  <float name="fov" value="0.1"/>
-</sensor>
-<shape type="rectangle">
-  <transform name="toWorld"><rotate x="1" angle="-90"/></transform>
-  <bsdf type="diffuse"><spectrum name="reflectance" value="0.5"/></bsdf>
-</shape>
-)" + shape;
-}
-
 /// Two wide, one deep and askew over the patch: x from -0.5 to 1.5, z from -0.3 to 0.7 at a height of one.
 constexpr char over_the_patch[] = R"(<scale y="0.5"/><rotate x="1" angle="90"/><translate x="0.5" y="1" z="0.2"/>)";
 

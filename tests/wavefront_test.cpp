@@ -161,21 +161,12 @@ TEST(Sampler, shuffles_within_aligned_blocks) {
 }
 
 /// A patch under the middle of a light that faces it, both perpendicular to the axis: irradiance π L r² / (r² + h²).
-const std::string patch_under_light =
-    R"(<integrator type="direct"><boolean name="hideEmitters" value="true"/></integrator>
-<sensor type="perspective">
-  <transform name="toWorld"><lookAt origin="0, 5, 0" target="0, 0, 0" up="0, 0, 1"/></transform>
-  <float name="fov" value="0.1"/>
-</sensor>
-<shape type="rectangle">
-  <transform name="toWorld"><rotate x="1" angle="-90"/></transform>
-  <bsdf type="diffuse"><spectrum name="reflectance" value="0.5"/></bsdf>
-</shape>
-<shape type="disk">
+const std::string patch_under_light = patch_under(R"(<shape type="disk">
   <transform name="toWorld"><scale value="2"/><rotate x="1" angle="90"/><translate y="1.5"/></transform>
   <emitter type="area"><rgb name="radiance" value="1, 2, 3"/></emitter>
 </shape>
-)";
+)",
+                                                  true);
 
 RenderSettings small_settings(const char* map) {
   return {.width = 5, .height = 3, .spp = 16, .light_samples = 64, .sampling = light_sampling(map)};

@@ -34,6 +34,21 @@ inline void expect_near(const V3f& a, const V3f& b, float tolerance) {
   EXPECT_LT((a - b).length(), tolerance) << a << " instead of " << b;
 }
 
+/// A patch of reflectance ½ at the origin under a light, seen from above it.
+inline std::string patch_under(const std::string& shape, bool hide) {
+  return std::string(R"(<integrator type="direct"><boolean name="hideEmitters" value=")") + (hide ? "true" : "false") +
+         R"("/></integrator>
+<sensor type="perspective">
+  <transform name="toWorld"><lookAt origin="0, 5, 0" target="0, 0, 0" up="0, 0, 1"/></transform>
+  <float name="fov" value="0.1"/>
+</sensor>
+<shape type="rectangle">
+  <transform name="toWorld"><rotate x="1" angle="-90"/></transform>
+  <bsdf type="diffuse"><spectrum name="reflectance" value="0.5"/></bsdf>
+</shape>
+)" + shape;
+}
+
 /// A directory that is gone after the test.
 class ScratchDirectory {
  public:
