@@ -8,30 +8,35 @@
 namespace hatbox::HATBOX_ISA {
 namespace {
 
-// What a place's coordinates span, what gives them back, and the area, in the units of `inverse_radius`.
-template <class T>
-inline const T (&span(const DiskConstantsOf<T>& light, int i))[3] {
+// What a place's coordinates span, in units of the radius, along the light's own axes; what those give back by; the area
+// in these units; and a place from the caller's axes to the light's own, or back.
+template <class V>
+inline const V (&span(const DiskLightOf<V>& light, int i))[3] {
   return light.axes[i];
 }
-template <class T>
-inline const T (&inverse_span(const DiskConstantsOf<T>& light, int i))[3] {
-  return light.axes[i];
+template <class V>
+inline V inverse_span(const DiskLightOf<V>&, int) {
+  return V(1);
 }
-template <class T>
-inline T area_of(const DiskConstantsOf<T>&) {
-  return static_cast<T>(pi);
+template <class V>
+inline V area_of(const DiskLightOf<V>&) {
+  return constant<V>(pi);
 }
-template <class T>
-inline const T (&span(const EllipseConstantsOf<T>& light, int i))[3] {
-  return light.spans[i];
+template <class V>
+inline Place<V> sorted_place(const DiskLight<V>&, const Place<V>& place) {
+  return place;
 }
-template <class T>
-inline const T (&inverse_span(const EllipseConstantsOf<T>& light, int i))[3] {
-  return light.inverse_spans[i];
+template <class V>
+inline const V (&span(const EllipseLightOf<V>& light, int i))[3] {
+  return i == 0 ? light.axes[0] : light.shorter_axis;
 }
-template <class T>
-inline T area_of(const EllipseConstantsOf<T>& light) {
-  return light.area;
+template <class V>
+inline V inverse_span(const EllipseLightOf<V>& light, int i) {
+  return i == 0 ? V(1) : light.inverse_ratio;
+}
+template <class V>
+inline V area_of(const EllipseLightOf<V>& light) {
+  return constant<V>(pi) * light.ratio;
 }
 
 template <class Cone>
@@ -77,7 +82,7 @@ class AreaMap {
   };
 
   HATBOX_INLINE AreaRay<V> to(const Place<V>& place) const {
-    return {l_, span(light_, 0), span(light_, 1), place, density_};
+    return {l_, span(light_, 0), span(light_, 1), sorted_place(light_, place), density_};
   }
 
   Hit intersect(const V (&direction)[3]) const {
@@ -86,9 +91,10 @@ class AreaMap {
     hit.distance = height_ / along(light_.axes[2], direction);
     V coordinate[2];
     for (int i = 0; i < 2; ++i) {
-      coordinate[i] = fma(hit.distance, along(inverse_span(light_, i), direction), -along(inverse_span(light_, i), l_));
+      const V offset = fma(hit.distance, along(light_.axes[i], direction), -along(light_.axes[i], l_));
+      coordinate[i] = offset * V(inverse_span(light_, i));
     }
-    hit.place = {coordinate[0], coordinate[1]};
+    hit.place = sorted_place(light_, Place<V>{coordinate[0], coordinate[1]});
     hit.inside = cone.hit(direction).inside && (hit.distance > V(0)) && is_finite(hit.distance);
     return hit;
   }

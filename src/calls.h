@@ -13,13 +13,13 @@ namespace hatbox {
 
 inline float* or_null(std::span<float> array) { return array.empty() ? nullptr : array.data(); }
 
-template <class Light>
-void call_sample(const Schedule& schedule, const MapKernels<Light>& kernels, const Light& constants,
+template <class Constants>
+void call_sample(const Schedule& schedule, const MapKernels<Constants>& kernels, const Constants& constants,
                  const Points& points, const Variates& variates, const Samples& out) {
   const BatchSize size = checked_size(points, variates);
   check_outputs(out, size.total());
-  const SampleJob<Light> job = {
-      .light = constants,
+  const SampleJob<Constants> job = {
+      .lights = {&constants, nullptr, 0},
       .point = {points.x.data(), points.y.data(), points.z.data()},
       .u = variates.u.data(),
       .v = variates.v.data(),
@@ -35,11 +35,11 @@ void call_sample(const Schedule& schedule, const MapKernels<Light>& kernels, con
 }
 
 /// Any query whose arrays are checked: `in` are its directions or places, `out` its one or two outputs.
-template <class Light>
-void call_query(const Schedule& schedule, QueryKernel<Light> kernel, const Light& constants, const Points& points,
+template <class Constants>
+void call_query(const Schedule& schedule, QueryKernel<Constants> kernel, const Constants& constants, const Points& points,
                 BatchSize size, const std::array<const float*, 3>& in, const std::array<float*, 2>& out) {
-  const QueryJob<Light> job = {
-      .light = constants,
+  const QueryJob<Constants> job = {
+      .lights = {&constants, nullptr, 0},
       .point = {points.x.data(), points.y.data(), points.z.data()},
       .query = {in[0], in[1], in[2]},
       .out = {out[0], out[1]},
@@ -49,8 +49,8 @@ void call_query(const Schedule& schedule, QueryKernel<Light> kernel, const Light
   run(schedule, size.points, size.per_point, kernel, job);
 }
 
-template <class Light>
-void call_pdf(const Schedule& schedule, const MapKernels<Light>& kernels, const Light& constants, const Points& points,
+template <class Constants>
+void call_pdf(const Schedule& schedule, const MapKernels<Constants>& kernels, const Constants& constants, const Points& points,
               const Directions& directions, std::span<float> out) {
   const BatchSize size = checked_size(points, directions);
   check_size("out", out, size.total());
@@ -58,16 +58,16 @@ void call_pdf(const Schedule& schedule, const MapKernels<Light>& kernels, const 
              {directions.x.data(), directions.y.data(), directions.z.data()}, {out.data()});
 }
 
-template <class Light>
-void call_pdf(const Schedule& schedule, const MapKernels<Light>& kernels, const Light& constants, const Points& points,
+template <class Constants>
+void call_pdf(const Schedule& schedule, const MapKernels<Constants>& kernels, const Constants& constants, const Points& points,
               const Places& places, std::span<float> out) {
   const BatchSize size = checked_size(points, places);
   check_size("out", out, size.total());
   call_query(schedule, kernels.pdf_of_place, constants, points, size, {places.s.data(), places.t.data()}, {out.data()});
 }
 
-template <class Light>
-void call_invert(const Schedule& schedule, const MapKernels<Light>& kernels, const Light& constants,
+template <class Constants>
+void call_invert(const Schedule& schedule, const MapKernels<Constants>& kernels, const Constants& constants,
                  const Points& points, const Directions& directions, std::span<float> u, std::span<float> v) {
   const BatchSize size = checked_size(points, directions);
   check_size("u", u, size.total());
@@ -76,8 +76,8 @@ void call_invert(const Schedule& schedule, const MapKernels<Light>& kernels, con
              {directions.x.data(), directions.y.data(), directions.z.data()}, {u.data(), v.data()});
 }
 
-template <class Light>
-void call_solid_angle(const Schedule& schedule, QueryKernel<Light> kernel, const Light& constants, const Points& points,
+template <class Constants>
+void call_solid_angle(const Schedule& schedule, QueryKernel<Constants> kernel, const Constants& constants, const Points& points,
                       std::span<float> out) {
   const BatchSize size = {checked_size(points), 1};
   check_size("out", out, size.total());

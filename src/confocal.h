@@ -21,9 +21,6 @@
 namespace hatbox::HATBOX_ISA {
 namespace {
 
-template <class V>
-using EllipseLight = EllipseConstantsOf<Scalar<V>>;
-
 /// From the shading point to the centre of the light. Lengths are in units of the longer semi-axis.
 template <class V>
 struct EllipseLocal {

@@ -13,15 +13,12 @@
 #pragma once
 
 #include "compensated.h"
-#include "kernel_table.h"
+#include "kernel_lights.h"
 #include "light_sample.h"
 #include "spherical_ellipse.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {
-
-template <class V>
-using DiskLight = DiskConstantsOf<Scalar<V>>;
 
 /// Of a disk: |h| > 0, x̂_e = n̂ × t̂, ŷ_e away from the shading point's foot.
 template <class V>
@@ -52,21 +49,30 @@ struct DiskCone : SphericalEllipse<V> {
   V height_over_m_n;
 };
 
-/// From a point of the world to the light's centre, in its axes and in its units.
+/// From a point of the world to the light's centre, in its axes and in radii; of an ellipse, v is in units of its
+/// shorter semi-axis, u and n are in those of the longer.
 template <class V>
 struct DiskLocal {
   V u, v, n;
 };
 
+template <class V>
+inline const V& shorter_per_unit(const DiskLightOf<V>& light) {
+  return light.per_unit;
+}
+template <class V>
+inline const V& shorter_per_unit(const EllipseLightOf<V>& light) {
+  return light.shorter_per_unit;
+}
+
 // A rounded difference, u or v is the exact one of a point or a light an ulp aside, which is all that is known of them.
 // The height is not that forgiving: next to the disk's plane the products cancel, and are compensated.
 template <class V, class Light>
 HATBOX_INLINE inline DiskLocal<V> to_disk(const Light& light, V x, V y, V z) {
-  const V l[3] = {V(light.center[0]) - x, V(light.center[1]) - y, V(light.center[2]) - z};
-  const auto rounded = [&](const Scalar<V>(&axis)[3]) {
-    return fma(l[0], V(axis[0]), fma(l[1], V(axis[1]), l[2] * V(axis[2])));
-  };
-  return {rounded(light.axes_hi[0]), rounded(light.axes_hi[1]), dot(l, light.axes_hi[2], light.axes_lo[2])};
+  const V up = V(light.inverse_unit);
+  const V l[3] = {(V(light.center[0]) - x) * up, (V(light.center[1]) - y) * up, (V(light.center[2]) - z) * up};
+  return {along(light.axes[0], l) * V(light.per_unit), along(light.axes[1], l) * V(shorter_per_unit(light)),
+          dot(l, light.axes[2], light.normal_lo) * V(light.per_unit)};
 }
 
 /// √((L ± x)/(2L)), given x and √((L − x)(L + x))/2: the larger one directly, the other from their product.

@@ -26,16 +26,19 @@ template <class T>
 DiskConstantsOf<T> constants_of(const Disk& light) {
   const double nx = light.normal.x, ny = light.normal.y, nz = light.normal.z;
   const double length = std::sqrt(nx * nx + ny * ny + nz * nz);
-  const double to_unit = 1.0 / length, to_radii = 1.0 / double{light.radius};
-  const Frame frame = frame_of({nx * to_unit, ny * to_unit, nz * to_unit});
+  const Frame frame = frame_of(divided({nx, ny, nz}, length));
+  const double radius = light.radius, unit = power_of_two_below(radius);
 
   DiskConstantsOf<T> constants = {};
-  set_center(constants, light.center);
-  set_axis(constants, 0, frame.u, to_radii);
-  set_axis(constants, 1, frame.v, to_radii);
-  set_axis(constants, 2, frame.n, to_radii);
+  set_vector(constants.center, in_double(light.center));
+  set_vector(constants.axes[0], frame.u);
+  set_vector(constants.axes[1], frame.v);
+  set_split(constants.axes[2], constants.normal_lo, frame.n);
   constants.radius = light.radius;
-  constants.inverse_radius = static_cast<T>(to_radii);
+  constants.inverse_radius = static_cast<T>(1 / radius);
+  constants.unit = static_cast<T>(unit);
+  constants.inverse_unit = static_cast<T>(1 / unit);
+  constants.per_unit = static_cast<T>(unit / radius);
   return constants;
 }
 

@@ -23,6 +23,13 @@
 namespace hatbox::HATBOX_ISA {
 namespace {
 
+/// From the caller's axes to the longer and the shorter one, or back.
+template <class V>
+inline Place<V> sorted_place(const EllipseLight<V>& light, const Place<V>& place) {
+  const Mask<V> swapped = V(light.swapped) > V(0);
+  return {select(swapped, place.t, place.s), select(swapped, place.s, place.t)};
+}
+
 /// Of an ellipse: |h| > 0, x̂_e to the left of l, ŷ_e along it. In the light's own axes, of which the normal is towards
 /// the light.
 template <class V>
@@ -40,8 +47,7 @@ struct EllipseCone : SphericalEllipse<V> {
   /// The angle η of the direction to a place on the light.
   SinCos<V> eta_of(const Place<V>& place) const;
 
-  /// From the caller's axes to the longer and the shorter one, or back.
-  Place<V> sorted(const Place<V>& place) const { return light.swapped ? Place<V>{place.t, place.s} : place; }
+  Place<V> sorted(const Place<V>& place) const { return sorted_place(light, place); }
 
   const EllipseLight<V>& light;
   Mask<V> below;           // the shading point lies on the side of −normal

@@ -3,7 +3,6 @@
 #include "light_frame.h"
 
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace hatbox {
@@ -30,41 +29,28 @@ Frame frame_of(const Ellipse& light) {
   return {u, v, normal, swapped};
 }
 
-/// `size` in units of the longer semi-axis.
-template <class T>
-void set_span(EllipseConstantsOf<T>& constants, int index, const Double3& unit, double size) {
-  const double axis[3] = {unit.x, unit.y, unit.z};
-  for (int i = 0; i < 3; ++i) {
-    constants.spans[index][i] = static_cast<T>(size * axis[i]);
-    constants.inverse_spans[index][i] = static_cast<T>(axis[i] / size);
-  }
-}
-
 }  // namespace
 
 template <class T>
 EllipseConstantsOf<T> constants_of(const Ellipse& light) {
   const Frame frame = frame_of(light);
-  const double inverse_radius = 1 / frame.longer.length;
-  const double ratio = frame.shorter.length / frame.longer.length;  // 1 for a circle
+  const double longer = frame.longer.length, shorter = frame.shorter.length;
+  const double unit = power_of_two_below(longer);
+  const double ratio = shorter / longer;  // 1 for a circle
 
   EllipseConstantsOf<T> constants = {};
-  set_center(constants, light.center);
-  set_axis(constants, 0, frame.longer.unit, inverse_radius);
-  set_axis(constants, 1, frame.shorter.unit, 1 / frame.shorter.length);
-  set_axis(constants, 2, frame.normal, inverse_radius);
-  set_span(constants, frame.swapped ? 1 : 0, frame.longer.unit, 1);
-  set_span(constants, frame.swapped ? 0 : 1, frame.shorter.unit, ratio);
+  set_vector(constants.center, in_double(light.center));
+  set_vector(constants.axes[0], frame.longer.unit);
+  set_vector(constants.axes[1], frame.shorter.unit);
+  set_split(constants.axes[2], constants.normal_lo, frame.normal);
+  constants.radius = static_cast<T>(longer);
+  constants.inverse_unit = static_cast<T>(1 / unit);
+  constants.per_unit = static_cast<T>(unit / longer);
+  constants.shorter_per_unit = static_cast<T>(unit / shorter);
   constants.ratio = static_cast<T>(ratio);
-  constants.ratio2 = static_cast<T>(ratio * ratio);
   constants.inverse_ratio = static_cast<T>(1 / ratio);
-  const double flattening = (1 - ratio) * (1 + ratio);
-  constants.flattening = static_cast<T>(flattening);
-  constants.flattening2 = static_cast<T>(flattening * flattening);
-  constants.area = static_cast<T>(std::numbers::pi * ratio);
-  constants.radius = static_cast<T>(frame.longer.length);
-  constants.inverse_radius = static_cast<T>(inverse_radius);
-  constants.swapped = frame.swapped;
+  constants.flattening = static_cast<T>((1 - ratio) * (1 + ratio));
+  constants.swapped = frame.swapped ? 1 : 0;
   return constants;
 }
 

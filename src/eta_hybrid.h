@@ -33,7 +33,7 @@ class EtaHybrid {
   HATBOX_INLINE EtaHybrid(const Light& light, const SphericalEllipse<V>& cone)
       : series_(light, cone),
         cone_(cone),
-        area_(cone, cone.k2 < V(light.ratio < 1 ? Scalar<V>(kink_ * kink_) : 0)),
+        area_(cone, cone.k2 < select(V(light.ratio) < V(1), constant<V>(kink_ * kink_), V(0))),
         quadrant_(V(1)) {
     if (any(area_.valid())) quadrant_ = area_.quadrant();
   }

@@ -16,16 +16,15 @@
 #pragma once
 
 #include "eta_series.h"
+#include "kernel_lights.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {
 
-/// For Light with `coefficients` and `resolution` (kernel_table.h).
 template <class V>
 class EtaTable {
  public:
-  template <class Light>
-  HATBOX_INLINE EtaTable(const Light& light, const SphericalEllipse<V>& cone);
+  HATBOX_INLINE EtaTable(const TabulatedDiskLight<V>& light, const SphericalEllipse<V>& cone);
 
   AngleShift<V> operator()(const SinCos<V>& theta) const;
   UniformAngle<V> uniform_angle(const SinCos<V>& eta) const { return solve_uniform_angle(*this, eta); }
@@ -46,8 +45,7 @@ inline V cell_of(V position, Scalar<V> last) {
 }
 
 template <class V>
-template <class Light>
-HATBOX_INLINE inline EtaTable<V>::EtaTable(const Light& light, const SphericalEllipse<V>& cone)
+HATBOX_INLINE inline EtaTable<V>::EtaTable(const TabulatedDiskLight<V>& light, const SphericalEllipse<V>& cone)
     : coefficients_(light.coefficients),
       resolution_(light.resolution),
       cells_(static_cast<Scalar<V>>(light.resolution - 2)) {

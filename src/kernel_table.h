@@ -5,14 +5,23 @@
 #include "light_constants.h"
 
 #include <cstddef>
+#include <cstdint>
 
 namespace hatbox {
 
-/// One call of `sample`: n points, k samples each, outputs that may be null. Light is what its kernels know of the
-/// light, such as DiskConstants.
-template <class Light>
+/// The lights of a call: one for all points, rows[0], or where there is an index, rows[index[i] - first] for point i.
+/// `Constants` is what is kept of a light, such as DiskConstants.
+template <class Constants>
+struct LightRows {
+  const Constants* rows;
+  const std::uint32_t* index;
+  std::uint32_t first;
+};
+
+/// One call of `sample`: n points, k samples each, outputs that may be null.
+template <class Constants>
 struct SampleJob {
-  Light light;
+  LightRows<Constants> lights;
   const float* point[3];
   const float* u;
   const float* v;
@@ -26,9 +35,9 @@ struct SampleJob {
 };
 
 /// One call of `pdf`, `invert` or `solid_angle`: k queries a point (directions or places) and up to two outputs.
-template <class Light>
+template <class Constants>
 struct QueryJob {
-  Light light;
+  LightRows<Constants> lights;
   const float* point[3];
   const float* query[3];  // direction x, y, z or place s, t; unused for solid_angle
   float* out[2];          // pdf; u, v; solid angle
@@ -36,19 +45,29 @@ struct QueryJob {
   std::size_t queries_per_point;
 };
 
-template <class Light>
-using SampleKernel = void (*)(const SampleJob<Light>&, std::size_t begin, std::size_t end);
-template <class Light>
-using QueryKernel = void (*)(const QueryJob<Light>&, std::size_t begin, std::size_t end);
+/// The points of a job that a kernel is to do: from `first` on, `count` of them in a row, or where there are offsets
+/// those at first + offset[0], first + offset[1] and so on.
+struct PointList {
+  std::size_t first;
+  std::size_t count;
+  const std::uint32_t* offset;
 
-/// All that one map can do. Each kernel does the points [begin, end) of its job. A map that is no bijection has no
-/// `invert`.
-template <class Light>
+  /// Without the first `done` of points in a row.
+  PointList from(std::size_t done) const { return {first + done, count - done, offset}; }
+};
+
+template <class Constants>
+using SampleKernel = void (*)(const SampleJob<Constants>&, const PointList&);
+template <class Constants>
+using QueryKernel = void (*)(const QueryJob<Constants>&, const PointList&);
+
+/// All that one map can do. A map that is no bijection has no `invert`.
+template <class Constants>
 struct MapKernels {
-  SampleKernel<Light> sample;
-  QueryKernel<Light> pdf_of_direction;
-  QueryKernel<Light> pdf_of_place;
-  QueryKernel<Light> invert;
+  SampleKernel<Constants> sample;
+  QueryKernel<Constants> pdf_of_direction;
+  QueryKernel<Constants> pdf_of_place;
+  QueryKernel<Constants> invert;
 };
 
 inline constexpr std::size_t disk_map_count = 7;

@@ -1,5 +1,7 @@
-// What the kernels know of a light: its frame and its lengths, made ready once a call and in double. T is float; double
-// for the tests that run the kernels' text in double. The lights must be valid (see their `check`).
+// What the library keeps of a light: its frame and its lengths, at most 24 numbers, made once a call or once a LightSet,
+// in double, and then rounded. T is float, double for the tests that run the kernels' text in double, or a vector of
+// them, a lane a light, in the kernels themselves (kernel_lights.h). Nothing else may be a member: kernels fill these
+// structs number by number. The lights must be valid (see their `check`).
 #pragma once
 
 #include <hatbox/lights.h>
@@ -10,12 +12,12 @@ namespace hatbox {
 
 template <class T>
 struct DiskConstantsOf {
-  T center[3];      // world units
-  T axes_hi[3][3];  // rows axis_u, axis_v, normal, each unit vector / radius, rounded to T …
-  T axes_lo[3][3];  // … and what the rounding left
-  T axes[3][3];     // the unit vectors, for the way back to world space
-  T radius;
-  T inverse_radius;
+  T center[3];     // world units
+  T axes[3][3];    // rows axis_u, axis_v, normal: unit vectors
+  T normal_lo[3];  // what rounding left of the normal
+  T radius, inverse_radius;
+  T unit, inverse_unit;  // the power of two at or next below the radius
+  T per_unit;            // unit/radius
 };
 using DiskConstants = DiskConstantsOf<float>;
 
@@ -23,28 +25,22 @@ template <class T>
 DiskConstantsOf<T> constants_of(const Disk& light);
 
 /// A disk with the table that its maps are read from (eta_table.h).
-template <class T>
-struct TabulatedDiskOf : DiskConstantsOf<T> {
-  const float* coefficients;  // resolution² of them, for T = double too
+struct TabulatedDisk : DiskConstants {
+  const float* coefficients;  // resolution² of them
   std::size_t resolution;
 };
-using TabulatedDisk = TabulatedDiskOf<float>;
 
-/// Lengths are in units of its longer semi-axis.
 template <class T>
 struct EllipseConstantsOf {
-  T center[3];      // world units
-  T axes_hi[3][3];  // rows along the longer and the shorter semi-axis, unit vector / its length, and the unit normal /
-  T axes_lo[3][3];  // the longer's length, rounded to T and what the rounding left
-  T axes[3][3];     // the unit vectors, for the way back to world space
-  T spans[2][3];    // semi_axis_u and semi_axis_v, for places
-  T inverse_spans[2][3];           // the same divided by their squared lengths
-  T ratio, ratio2, inverse_ratio;  // r, the shorter semi-axis over the longer; r², 1/r
-  T flattening, flattening2;       // 1 − r² and its square
-  T area;
-  T radius;  // the longer semi-axis, world units
-  T inverse_radius;
-  bool swapped;  // semi_axis_v is the longer one
+  T center[3];                  // world units
+  T axes[3][3];                 // unit vectors along the longer and the shorter semi-axis, and the normal
+  T normal_lo[3];               // what rounding left of the normal
+  T radius;                     // the longer semi-axis, world units
+  T inverse_unit;               // of the power of two at or next below it
+  T per_unit, shorter_per_unit; // unit over the longer and over the shorter semi-axis
+  T ratio, inverse_ratio;       // r, the shorter semi-axis over the longer
+  T flattening;                 // 1 − r²
+  T swapped;                    // 1 if semi_axis_v is the longer one, else 0
 };
 using EllipseConstants = EllipseConstantsOf<float>;
 
@@ -53,38 +49,29 @@ EllipseConstantsOf<T> constants_of(const Ellipse& light);
 
 /// Of its edges the longer one counts as it is, the other without what it has along the longer: an edge that rounding
 /// has turned a little moves the light by that share of its shorter side.
+///
+/// An edge's length is rounded, and its axis stretched by as much, so that the light ends where its edges do: all lengths
+/// along the axis are off by up to half an ulp, but what lies next to the far end does not move against it.
 template <class T>
 struct RectangleConstantsOf {
   T corner[3];      // world units
-  T axes_hi[3][3];  // unit vectors along edge_u, edge_v and edge_u × edge_v, rounded to T …
+  T axes_hi[3][3];  // unit vectors but for that, along edge_u, edge_v and edge_u × edge_v, rounded to T …
   T axes_lo[3][3];  // … and what the rounding left
-  T length_hi[2];   // of the edges, world units …
-  T length_lo[2];   // … and what the rounding left
-  T inverse_length[2];
-  T unit;  // the power of two next below the longer edge: what area sampling measures in, so as not to overflow
-  T inverse_unit;
-  T edges[2][3];   // in units
-  T inverse_area;  // in units
+  T length[2];      // of the edges, world units
 };
 using RectangleConstants = RectangleConstantsOf<float>;
 
 template <class T>
 RectangleConstantsOf<T> constants_of(const Rectangle& light);
 
-/// Its plane's axes: x along a → b, y towards c, z the
-/// normal. Lengths are in units of `unit`, a power of two near the longest side. Side i lies opposite vertex i and runs
-/// counterclockwise. What has a _lo is rounded to T, and that is what the rounding left.
+/// Its plane's axes: x along a → b, y towards c, z the normal.
 template <class T>
 struct TriangleConstantsOf {
   T vertex[3];      // a, world units
-  T axes_hi[3][3];  // unit vectors / unit
-  T axes_lo[3][3];
-  T axes[3][3];                    // the unit vectors, for the way back to world space
-  T side_hi[3][2], side_lo[3][2];  // (x, y)
-  T length[3];                     // of the sides
-  T doubled_area, inverse_area;
-  T edges[2][3];  // b − a and c − a along the world's axes, in units
-  T unit, inverse_unit;
+  T axes_hi[3][3];  // unit vectors, rounded to T …
+  T axes_lo[3][3];  // … and what the rounding left
+  T base;           // |b − a|, world units
+  T apex[2];        // (x, y) of c − a, in bases
 };
 using TriangleConstants = TriangleConstantsOf<float>;
 

@@ -37,21 +37,22 @@ template <class T>
   low = static_cast<T>(value - double{high});
 }
 
-/// An axis of the light, a unit vector, and in units of a length: rounded, and what the rounding left.
-template <class T, template <class> class Constants>
-void set_axis(Constants<T>& constants, int row, const Double3& unit, double inverse_length) {
-  const double axis[3] = {unit.x, unit.y, unit.z};
-  for (int i = 0; i < 3; ++i) {
-    constants.axes[row][i] = static_cast<T>(axis[i]);
-    split(axis[i] * inverse_length, constants.axes_hi[row][i], constants.axes_lo[row][i]);
-  }
+/// The power of two at or next below a length > 0.
+inline double power_of_two_below(double length) { return std::exp2(std::ilogb(length)); }
+
+template <class T>
+void set_vector(T (&to)[3], const Double3& v) {
+  to[0] = static_cast<T>(v.x);
+  to[1] = static_cast<T>(v.y);
+  to[2] = static_cast<T>(v.z);
 }
 
-template <class T, template <class> class Constants>
-void set_center(Constants<T>& constants, const Vec3& center) {
-  constants.center[0] = center.x;
-  constants.center[1] = center.y;
-  constants.center[2] = center.z;
+/// Rounded, and what the rounding left.
+template <class T>
+void set_split(T (&high)[3], T (&low)[3], const Double3& v) {
+  split(v.x, high[0], low[0]);
+  split(v.y, high[1], low[1]);
+  split(v.z, high[2], low[2]);
 }
 
 }  // namespace hatbox

@@ -25,27 +25,15 @@ RectangleConstantsOf<T> constants_of(const Rectangle& light) {
     edges[0] = extent_of(without(u, edges[1].unit));
   }
   const Double3 normal = cross(edges[0].unit, edges[1].unit);
-  const Double3 axes[3] = {edges[0].unit, edges[1].unit, normal};
-  const double unit = std::exp2(std::ilogb(std::fmax(edges[0].length, edges[1].length)));
 
   RectangleConstantsOf<T> constants = {};
-  constants.corner[0] = light.corner.x;
-  constants.corner[1] = light.corner.y;
-  constants.corner[2] = light.corner.z;
-  for (int row = 0; row < 3; ++row) {
-    const double axis[3] = {axes[row].x, axes[row].y, axes[row].z};
-    for (int i = 0; i < 3; ++i) {
-      split(axis[i], constants.axes_hi[row][i], constants.axes_lo[row][i]);
-      if (row < 2) constants.edges[row][i] = static_cast<T>(edges[row].length / unit * axis[i]);
-    }
-  }
+  set_vector(constants.corner, in_double(light.corner));
   for (int i = 0; i < 2; ++i) {
-    split(edges[i].length, constants.length_hi[i], constants.length_lo[i]);
-    constants.inverse_length[i] = static_cast<T>(1 / edges[i].length);
+    constants.length[i] = static_cast<T>(edges[i].length);
+    const double stretch = constants.length[i] / edges[i].length;
+    set_split(constants.axes_hi[i], constants.axes_lo[i], scaled(stretch, edges[i].unit));
   }
-  constants.unit = static_cast<T>(unit);
-  constants.inverse_unit = static_cast<T>(1 / unit);
-  constants.inverse_area = static_cast<T>(unit / edges[0].length * (unit / edges[1].length));
+  set_split(constants.axes_hi[2], constants.axes_lo[2], normal);
   return constants;
 }
 

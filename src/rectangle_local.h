@@ -9,7 +9,7 @@
 #pragma once
 
 #include "compensated.h"
-#include "light_constants.h"
+#include "kernel_lights.h"
 #include "light_sample.h"
 #include "unit_square.h"
 
@@ -17,9 +17,6 @@
 
 namespace hatbox::HATBOX_ISA {
 namespace {
-
-template <class V>
-using RectangleLight = RectangleConstantsOf<Scalar<V>>;
 
 /// Where the line of a direction meets the rectangle's plane: in folded coordinates, put onto the rectangle.
 template <class V>
@@ -81,11 +78,10 @@ struct Side {
 };
 
 template <class V>
-HATBOX_INLINE inline Side<V> side_along(const Pair<V> (&l)[3], const Scalar<V> (&axis_hi)[3],
-                                        const Scalar<V> (&axis_lo)[3], Scalar<V> length_hi, Scalar<V> length_lo) {
-  const Pair<V> near = dot_pair(l, axis_hi, axis_lo);
-  const Pair<V> far = two_sum(near.high, V(length_hi));
-  return {near.high + near.low, far.high + (far.low + (near.low + V(length_lo)))};
+HATBOX_INLINE inline Side<V> side_along(const Pair<V> (&l)[3], const RectangleLight<V>& light, int axis) {
+  const Pair<V> near = dot_pair(l, light.axes_hi[axis], light.axes_lo[axis]);
+  const Pair<V> far = two_sum(near.high, V(light.length[axis]));
+  return {near.high + near.low, far.high + (far.low + near.low)};
 }
 
 template <class V>
@@ -93,8 +89,7 @@ HATBOX_INLINE inline RectangleLocal<V>::RectangleLocal(const RectangleLight<V>& 
     : light(rectangle) {
   const Pair<V> l[3] = {two_sum(V(light.corner[0]), -px), two_sum(V(light.corner[1]), -py),
                         two_sum(V(light.corner[2]), -pz)};
-  const Side<V> x = side_along(l, light.axes_hi[0], light.axes_lo[0], light.length_hi[0], light.length_lo[0]);
-  const Side<V> y = side_along(l, light.axes_hi[1], light.axes_lo[1], light.length_hi[1], light.length_lo[1]);
+  const Side<V> x = side_along(l, light, 0), y = side_along(l, light, 1);
   const Pair<V> n = dot_pair(l, light.axes_hi[2], light.axes_lo[2]);
   const V world_height = n.high + n.low;
   flip_x = x.low + x.high < V(0);
@@ -106,8 +101,8 @@ HATBOX_INLINE inline RectangleLocal<V>::RectangleLocal(const RectangleLight<V>& 
   this->x1 = select(flip_x, -x.low, x.high) * down;
   this->y0 = select(flip_y, -y.high, y.low) * down;
   this->y1 = select(flip_y, -y.low, y.high) * down;
-  this->e_x = V(light.length_hi[0]) * down;
-  this->e_y = V(light.length_hi[1]) * down;
+  this->e_x = V(light.length[0]) * down;
+  this->e_y = V(light.length[1]) * down;
   this->height = world_height * down;
   this->z = max(abs(this->height), constant<V>(least_height));
   valid = (abs(this->height) > V(0)) && is_finite((x.low + x.high) + (y.low + y.high) + world_height) &&

@@ -1,6 +1,8 @@
 // How a job is spread over threads: in the caller's, or in blocks of points by TBB.
 #pragma once
 
+#include "kernel_table.h"
+
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -24,21 +26,35 @@ inline std::size_t block_size(std::size_t grain, std::size_t per_point) {
   return std::max<std::size_t>(points / widest_packet, 1) * widest_packet;
 }
 
-/// Calls kernel(job, begin, end) over all of the points. In parallel that is done in the caller's TBB arena, isolated
+/// Calls work(begin, end) for all of the points, in blocks. In parallel that is done in the caller's TBB arena, isolated
 /// from its other tasks; a job of one block stays in the caller's thread.
-template <class Job>
-void run(const Schedule& schedule, std::size_t points, std::size_t per_point,
-         void (*kernel)(const Job&, std::size_t, std::size_t), const Job& job) {
+template <class Work>
+void run_blocks(const Schedule& schedule, std::size_t points, std::size_t per_point, const Work& work) {
   const std::size_t block = block_size(schedule.grain, per_point);
   if (!schedule.parallel || points <= block) {
-    kernel(job, 0, points);
+    work(std::size_t{0}, points);
     return;
   }
   const std::size_t blocks = (points + block - 1) / block;
   tbb::this_task_arena::isolate([&] {
     tbb::parallel_for(std::size_t{0}, blocks,
-                      [&](std::size_t i) { kernel(job, i * block, std::min(points, (i + 1) * block)); });
+                      [&](std::size_t i) { work(i * block, std::min(points, (i + 1) * block)); });
   });
+}
+
+/// Runs a kernel that takes a range of its job.
+template <class Job>
+void run(const Schedule& schedule, std::size_t points, std::size_t per_point,
+         void (*kernel)(const Job&, std::size_t, std::size_t), const Job& job) {
+  run_blocks(schedule, points, per_point, [&](std::size_t begin, std::size_t end) { kernel(job, begin, end); });
+}
+
+/// Runs a kernel that takes a list of points of its job, over all of them.
+template <class Job>
+void run(const Schedule& schedule, std::size_t points, std::size_t per_point,
+         void (*kernel)(const Job&, const PointList&), const Job& job) {
+  run_blocks(schedule, points, per_point,
+             [&](std::size_t begin, std::size_t end) { kernel(job, {begin, end - begin, nullptr}); });
 }
 
 }  // namespace hatbox

@@ -12,9 +12,8 @@ template <class V>
 class TriangleAreaMap {
  public:
   HATBOX_INLINE TriangleAreaMap(const TriangleLight<V>& light, V x, V y, V z) : light_(light), point_{x, y, z} {
-    const V from[3] = {V(light.vertex[0]) - x, V(light.vertex[1]) - y, V(light.vertex[2]) - z};
-    for (int i = 0; i < 3; ++i) l_[i] = from[i] * V(light.inverse_unit);
-    height_ = dot(from, light.axes_hi[2], light.axes_lo[2]);  // next to the plane the products cancel
+    for (int i = 0; i < 3; ++i) l_[i] = (V(light.vertex[i]) - point_[i]) * V(light.inverse_unit);
+    height_ = dot(l_, light.axes_hi[2], light.axes_lo[2]);  // next to the plane the products cancel
     density_ = V(light.inverse_area) / abs(height_);
   }
 
@@ -57,7 +56,7 @@ class TriangleAreaMap {
     const TriangleView<V> view(light_, point_[0], point_[1], point_[2]);
     const auto seen = view.hit(direction);
     Hit hit;
-    hit.distance = height_ / along(light_.axes[2], direction);
+    hit.distance = height_ / along(light_.axes_hi[2], direction);
     hit.place = view.spherical.place_of(seen.direction);
     hit.inside = seen.inside && (hit.distance > V(0)) && is_finite(hit.distance);
     return hit;

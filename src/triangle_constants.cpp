@@ -40,38 +40,21 @@ double thinness(const Triangle& light) {
 
 template <class T>
 TriangleConstantsOf<T> constants_of(const Triangle& light) {
-  const double unit = std::exp2(std::floor(std::log2(longest_side(light))));
+  const double unit = power_of_two_below(longest_side(light));
   const Double3 ab = scaled(1 / unit, difference(light.b, light.a)),
                 ac = scaled(1 / unit, difference(light.c, light.a));
   const Double3 normal = accurate_cross(ab, ac);
-  const double doubled_area = length(normal), ab_length = length(ab);
-  const Double3 x = divided(ab, ab_length), z = divided(normal, doubled_area), y = cross(z, x);
-  const double axes[3][3] = {{x.x, x.y, x.z}, {y.x, y.y, y.z}, {z.x, z.y, z.z}};
-  const double c[2] = {dot(ac, x), doubled_area / ab_length};
-  const double sides[3][2] = {{c[0] - ab_length, c[1]}, {-c[0], -c[1]}, {ab_length, 0}};
+  const double doubled_area = length(normal), base = length(ab);
+  const Double3 x = divided(ab, base), z = divided(normal, doubled_area), y = cross(z, x);
 
   TriangleConstantsOf<T> constants = {};
-  constants.vertex[0] = light.a.x;
-  constants.vertex[1] = light.a.y;
-  constants.vertex[2] = light.a.z;
-  for (int row = 0; row < 3; ++row) {
-    for (int i = 0; i < 3; ++i) {
-      constants.axes[row][i] = static_cast<T>(axes[row][i]);
-      split(axes[row][i] / unit, constants.axes_hi[row][i], constants.axes_lo[row][i]);
-    }
-    for (int i = 0; i < 2; ++i) split(sides[row][i], constants.side_hi[row][i], constants.side_lo[row][i]);
-    constants.length[row] = static_cast<T>(std::hypot(sides[row][0], sides[row][1]));
-  }
-  const Double3 edges[2] = {ab, ac};
-  for (int i = 0; i < 2; ++i) {
-    constants.edges[i][0] = static_cast<T>(edges[i].x);
-    constants.edges[i][1] = static_cast<T>(edges[i].y);
-    constants.edges[i][2] = static_cast<T>(edges[i].z);
-  }
-  constants.doubled_area = static_cast<T>(doubled_area);
-  constants.inverse_area = static_cast<T>(2 / doubled_area);
-  constants.unit = static_cast<T>(unit);
-  constants.inverse_unit = static_cast<T>(1 / unit);
+  set_vector(constants.vertex, in_double(light.a));
+  set_split(constants.axes_hi[0], constants.axes_lo[0], x);
+  set_split(constants.axes_hi[1], constants.axes_lo[1], y);
+  set_split(constants.axes_hi[2], constants.axes_lo[2], z);
+  constants.base = static_cast<T>(base * unit);
+  constants.apex[0] = static_cast<T>(dot(ac, x) / base);
+  constants.apex[1] = static_cast<T>(doubled_area / base / base);
   return constants;
 }
 

@@ -7,14 +7,11 @@
 #pragma once
 
 #include "compensated.h"
-#include "kernel_table.h"
+#include "kernel_lights.h"
 #include "light_sample.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {
-
-template <class V>
-using TriangleLight = TriangleConstantsOf<Scalar<V>>;
 
 /// Any triangle in a plane that is not the shading point's; the z axis points from the shading point to the plane.
 /// Vertices go counterclockwise about it. Side i lies opposite vertex i and runs from vertex i + 1 to i + 2 (mod 3).
@@ -63,26 +60,28 @@ struct TriangleLocal {
                           two_sum(V(light.vertex[2]), -pz)};
     const auto along_axis = [&](int i) {
       const Pair<V> d = dot_pair(l, light.axes_hi[i], light.axes_lo[i]);
-      return two_sum(d.high, d.low);
+      return two_sum(d.high * V(light.inverse_unit), d.low * V(light.inverse_unit));
     };
-    const auto side = [&](int i, int axis) { return Pair<V>{V(light.side_hi[i][axis]), V(light.side_lo[i][axis])}; };
+    const Pair<V> base = {V(light.base_in_units), V(0)}, apex_x = {V(light.apex_x), V(0)},
+                  apex_y = {V(light.apex_y), V(0)}, from_b = {V(light.from_b.high), V(light.from_b.low)};
     const auto minus = [](const Pair<V>& p) { return Pair<V>{-p.high, -p.low}; };
     const Pair<V> a_x = along_axis(0), a_y = along_axis(1), n = along_axis(2);
-    const Pair<V> b_x = sum(a_x, side(2, 0));
-    const Pair<V> c_x = sum(a_x, minus(side(1, 0))), c_y = sum(a_y, minus(side(1, 1)));
+    const Pair<V> b_x = sum(a_x, base), c_x = sum(a_x, apex_x), c_y = sum(a_y, apex_y);
     in_plane.x[0] = a_x.high;
     in_plane.x[1] = b_x.high;
     in_plane.x[2] = c_x.high;
     in_plane.y[0] = in_plane.y[1] = a_y.high;  // the x axis lies along side 2
     in_plane.y[2] = c_y.high;
-    in_plane.cross[0] = determinant(b_x, a_y, side(0, 0), side(0, 1));
-    in_plane.cross[1] = determinant(a_x, a_y, side(1, 0), side(1, 1));
-    in_plane.cross[2] = -(a_y.high * V(light.side_hi[2][0]));
-    for (int i = 0; i < 3; ++i) {
-      in_plane.side_x[i] = V(light.side_hi[i][0]);
-      in_plane.side_y[i] = V(light.side_hi[i][1]);
-      in_plane.length[i] = V(light.length[i]);
-    }
+    in_plane.cross[0] = determinant(b_x, a_y, from_b, apex_y);
+    in_plane.cross[1] = determinant(a_x, a_y, minus(apex_x), minus(apex_y));
+    in_plane.cross[2] = -(a_y.high * base.high);
+    in_plane.side_x[0] = from_b.high;
+    in_plane.side_x[1] = -apex_x.high;
+    in_plane.side_x[2] = base.high;
+    in_plane.side_y[0] = apex_y.high;
+    in_plane.side_y[1] = -apex_y.high;
+    in_plane.side_y[2] = V(0);
+    for (int i = 0; i < 3; ++i) in_plane.length[i] = V(light.side_length[i]);
     in_plane.doubled_area = V(light.doubled_area);
     const V height = abs(n.high);
     in_plane.z = max(height, constant<V>(least_triangle_height));

@@ -19,7 +19,7 @@ struct TriangleView {
 
   // A sliver is not much wider than the grain of float directions: its plane's axes must not add to that.
   Hit hit(const V (&direction)[3]) const {
-    const auto component = [&](int i) { return dot(direction, light.axes_hi[i], light.axes_lo[i]) * V(light.unit); };
+    const auto component = [&](int i) { return dot(direction, light.axes_hi[i], light.axes_lo[i]); };
     const V n = component(2);
     Hit hit = {{component(0), component(1), select(above, -n, n)}, valid};
     hit.inside = valid && spherical.contains(hit.direction);
@@ -65,7 +65,7 @@ class TriangleMapOf {
     const TrianglePoint<V> point = view_.spherical.sample(u, v);
     const V n = select(view_.above, -point.direction[2], point.direction[2]);
     LightSample<V> out;
-    set_direction(light.axes, {point.direction[0], point.direction[1], n}, out);
+    set_direction(light.axes_hi, {point.direction[0], point.direction[1], n}, out);
     out.distance = point.distance * V(light.unit);
     out.pdf = density_.value;
     out.place = point.place;

@@ -25,7 +25,7 @@ struct RectangleHalves {
       return two_sum(p.high * V(light.inverse_unit), p.low * V(light.inverse_unit));
     };
     const auto along_axis = [&](int i) { return in_units(dot_pair(l, light.axes_hi[i], light.axes_lo[i])); };
-    const auto edge = [&](int i) { return in_units({V(light.length_hi[i]), V(light.length_lo[i])}); };
+    const auto edge = [&](int i) { return Pair<V>{V(light.length[i]) * V(light.inverse_unit), V(0)}; };
     const Pair<V> x = along_axis(0), y = along_axis(1), n = along_axis(2), u = edge(0), v = edge(1);
     const V x0 = x.high, x1 = sum(x, u).high, y0 = y.high, y1 = sum(y, v).high;
     const V diagonal = length_of_small(u.high, v.high), across_diagonal = determinant(x, y, u, v);

@@ -25,7 +25,7 @@ template <template <class> class Map>
 std::vector<double> jacobian_errors(Pose pose, double (*largest_step)(double, double) = jacobian_step,
                                     std::size_t points_each = 120) {
   constexpr int grid = 32;
-  const DiskConstantsOf<double> light = constants_of<double>(disk_in(pose));
+  const in_double::DiskLight<double> light(constants_of<double>(disk_in(pose)));
   std::vector<double> errors;
   for (const Workload workload : {Workload::w1, Workload::w2, Workload::w3}) {
     const PointArrays points = make_points(workload, pose, points_each);

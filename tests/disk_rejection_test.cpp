@@ -96,7 +96,7 @@ TEST_P(DiskRejection, DensityIsOneOverTheSolidAngle) {
 
 /// The kernel's text in double tries the same candidates. Where one lies on the rim, float may take another.
 TEST_P(DiskRejection, DirectionsMatchDouble) {
-  const auto constants = constants_of<double>(light());
+  const rejection_in_double::DiskLight<double> in_double(constants_of<double>(light()));
   for (const Workload workload : all_workloads) {
     const PointArrays points = make_points(workload, pose(), 12000);
     const VariateArrays variates = make_variates(points.size());
@@ -104,7 +104,7 @@ TEST_P(DiskRejection, DirectionsMatchDouble) {
     sample(light(), DiskMap::rejection, points.view(), variates.view(), samples.view());
     std::vector<double> errors;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const rejection_in_double::DiskRejection<double> map(constants, points.x[i], points.y[i], points.z[i]);
+      const rejection_in_double::DiskRejection<double> map(in_double, points.x[i], points.y[i], points.z[i]);
       const auto expected = map.sample(variates.u[i], variates.v[i]);
       errors.push_back(
           angle_between(samples.direction(i), {expected.direction[0], expected.direction[1], expected.direction[2]}));

@@ -66,12 +66,13 @@ std::vector<Site> make_sites(double cells) {
 template <template <class> class Map, class Chart>
 std::vector<double> jacobian_errors(Pose pose, std::size_t resolution) {
   const TableInDouble table(pose, resolution);
+  const auto light = table.light();
   const std::vector<Site> sites = make_sites<Chart>(static_cast<double>(resolution - 2));
   std::vector<double> errors;
   for (const Workload workload : all_workloads) {
     const PointArrays points = make_points(workload, pose, 60);
     for (std::size_t p = 0; p < points.size(); ++p) {
-      const Map<double> map(table.light(), points.x[p], points.y[p], points.z[p]);
+      const Map<double> map(light, points.x[p], points.y[p], points.z[p]);
       for (const Site& at : sites) errors.push_back(jacobian_error(map, at.u, at.v, at.step_u, at.step_v));
     }
   }

@@ -170,9 +170,10 @@ template <template <class> class Map>
 std::vector<Vector<double>> exact_directions(Pose pose, std::size_t resolution, const PointArrays& points,
                                              const VariateArrays& variates) {
   const TableInDouble table(pose, resolution);
+  const auto light = table.light();
   std::vector<Vector<double>> result;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Map<double> map(table.light(), points.x[i], points.y[i], points.z[i]);
+    const Map<double> map(light, points.x[i], points.y[i], points.z[i]);
     const auto exact = map.sample(variates.u[i], variates.v[i]);
     result.push_back({exact.direction[0], exact.direction[1], exact.direction[2]});
   }

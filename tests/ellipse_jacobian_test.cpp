@@ -41,7 +41,7 @@ class EllipseJacobianSlow : public testing::TestWithParam<EllipseParam> {
     const Ellipse ellipse = ellipse_in(pose, aspect);
     const double area =
         length(cross(reference::convert<double>(ellipse.semi_axis_u), reference::convert<double>(ellipse.semi_axis_v)));
-    const EllipseConstantsOf<double> light = constants_of<double>(ellipse);
+    const in_double::EllipseLight<double> light(constants_of<double>(ellipse));
     constexpr int grid = 32;
     std::vector<double> errors;
     for (const Workload workload : all_workloads) {

@@ -22,8 +22,8 @@ using reference::Vector;
 
 template <template <class> class Map>
 Vector<double> in_double_direction(const Ellipse& light, const Vec3& point, float u, float v) {
-  const EllipseConstantsOf<double> constants = constants_of<double>(light);
-  const Map<double> map(constants, point.x, point.y, point.z);
+  const in_double::EllipseLight<double> known(constants_of<double>(light));
+  const Map<double> map(known, point.x, point.y, point.z);
   const auto sample = map.sample(u, v);
   return {sample.direction[0], sample.direction[1], sample.direction[2]};
 }

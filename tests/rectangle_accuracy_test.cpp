@@ -35,8 +35,8 @@ struct Case {
 };
 
 RectangleSample in_double(const Rectangle& light, const Vec3& p, float u, float v) {
-  const auto constants = constants_of<double>(light);
-  const auto sample = hatbox::in_double::RectangleTwoTriangles<double>(constants, p.x, p.y, p.z).sample(u, v);
+  const hatbox::in_double::RectangleLight<double> known(constants_of<double>(light));
+  const auto sample = hatbox::in_double::RectangleTwoTriangles<double>(known, p.x, p.y, p.z).sample(u, v);
   return {{sample.direction[0], sample.direction[1], sample.direction[2]}, sample.place.s, sample.place.t};
 }
 

@@ -37,20 +37,20 @@ double jacobian_error(const Map& map, double area, double u, double v, double se
 }
 
 /// The u at which two_triangles goes from one triangle to the other: that map must not be differentiated across it.
-double seam_from(const RectangleConstantsOf<double>& light, const Vec3& p) {
+double seam_from(const kernels::RectangleLight<double>& light, const Vec3& p) {
   const kernels::RectangleHalves<double> halves(light, p.x, p.y, p.z);
   const double first = kernels::SphericalTriangle<double>(halves.first).solid_angle();
   const double second = kernels::SphericalTriangle<double>(halves.second).solid_angle();
   return first / (first + second);
 }
 
-double no_seam(const RectangleConstantsOf<double>&, const Vec3&) { return 0; }
+double no_seam(const kernels::RectangleLight<double>&, const Vec3&) { return 0; }
 
 template <template <class> class Map, class Seam>
 void expect_honest(Pose pose, Shape shape, const Seam& seam_of) {
   constexpr int grid = 32;
-  const auto light = constants_of<double>(rectangle_in(pose, shape));
-  const double area = light.length_hi[0] * light.length_hi[1];
+  const kernels::RectangleLight<double> light(constants_of<double>(rectangle_in(pose, shape)));
+  const double area = light.length[0] * light.length[1];
   for (const Workload workload : all_workloads) {
     std::vector<double> errors;
     const PointArrays points = make_points(workload, pose, 40);

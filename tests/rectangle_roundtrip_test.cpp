@@ -101,7 +101,7 @@ TEST_P(RectangleRoundTrip, InvertUndoesSampleOfTwoTriangles) {
   for_every_sampling(Workload::w1, [&](const Rectangle& light, RectangleMap map, const PointArrays& points,
                                        const VariateArrays& variates, const SampleArrays& samples) {
     if (map != RectangleMap::two_triangles) return;
-    const auto constants = constants_of<double>(light);
+    const in_double::RectangleLight<double> known(constants_of<double>(light));
     std::vector<float> u(samples.size()), v(samples.size());
     invert(light, map, points.view(), samples.directions(), u, v);
     std::vector<double> errors, beyond;
@@ -111,7 +111,7 @@ TEST_P(RectangleRoundTrip, InvertUndoesSampleOfTwoTriangles) {
       beyond.push_back(error);
       if (error <= 1e-4) continue;
       const Vec3 p = points[i % points.size()];  // a sliver is narrower than 1e4 float directions
-      const in_double::RectangleTwoTriangles<double> seen(constants, p.x, p.y, p.z);
+      const in_double::RectangleTwoTriangles<double> seen(known, p.x, p.y, p.z);
       beyond.back() = std::max(error - 4 * inverse_conditioning(seen, samples.direction(i)), 0.0);
     }
     report_quantiles("uv_error", errors);

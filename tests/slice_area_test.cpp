@@ -22,14 +22,14 @@ namespace {
 using in_double::DiskCone;
 using in_double::SliceArea;
 
-std::vector<DiskCone<double>> cones(const DiskConstantsOf<double>& light, Workload workload, std::size_t n) {
+std::vector<DiskCone<double>> cones(const in_double::DiskLight<double>& light, Workload workload, std::size_t n) {
   const PointArrays points = make_points(workload, Pose::canonical, n);
   std::vector<DiskCone<double>> result;
   for (std::size_t i = 0; i < n; ++i) result.emplace_back(light, points.x[i], points.y[i], points.z[i]);
   return result;
 }
 
-const DiskConstantsOf<double> unit_disk = constants_of<double>(disk_in(Pose::canonical));
+const in_double::DiskLight<double> unit_disk(constants_of<double>(disk_in(Pose::canonical)));
 
 /// Also next to the end of the minor axis, where it must not cancel: 1e-6 is the third power of ζ.
 TEST(SliceArea, IsTheReferences) {

@@ -19,13 +19,14 @@ namespace hatbox::test {
 class TableInDouble {
  public:
   TableInDouble(Pose pose, std::size_t resolution)
-      : rows_(make_eta_rows(resolution)), light_{constants_of<double>(disk_in(pose)), rows_.get(), resolution} {}
+      : rows_(make_eta_rows(resolution)), disk_(constants_of<double>(disk_in(pose))), resolution_(resolution) {}
 
-  const TabulatedDiskOf<double>& light() const { return light_; }
+  in_double::TabulatedDiskLight<double> light() const { return {disk_, rows_.get(), resolution_}; }
 
  private:
   std::shared_ptr<const float[]> rows_;
-  TabulatedDiskOf<double> light_;
+  DiskConstantsOf<double> disk_;
+  std::size_t resolution_;
 };
 
 }  // namespace hatbox::test

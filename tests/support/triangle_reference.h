@@ -63,9 +63,9 @@ inline reference::Vector<double> direction_of(const kernels::LightSample<double>
 /// Calls visit(map) with the map of a triangle from a point, in double.
 template <class Visit>
 auto with_triangle_map(TriangleMap map, const Triangle& light, const Vec3& p, const Visit& visit) {
-  const auto constants = constants_of<double>(light);
-  if (map == TriangleMap::area) return visit(kernels::TriangleArea<double>(constants, p.x, p.y, p.z));
-  return visit(kernels::TriangleSpherical<double>(constants, p.x, p.y, p.z));
+  const kernels::TriangleLight<double> known(constants_of<double>(light));
+  if (map == TriangleMap::area) return visit(kernels::TriangleArea<double>(known, p.x, p.y, p.z));
+  return visit(kernels::TriangleSpherical<double>(known, p.x, p.y, p.z));
 }
 
 }  // namespace hatbox::test
