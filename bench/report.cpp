@@ -74,19 +74,24 @@ std::vector<Row> compare(const std::vector<Case>& cases, const Collector& collec
              (c.reference_map.empty() || other.samples_per_point == c.samples_per_point);
     });
     if (reference != cases.end()) row.vs_reference = ratio(collector.ns_per_sample(*reference), row.ns_per_sample);
+    const auto single = std::find_if(cases.begin(), cases.end(), [&](const Case& other) {
+      return other.map == single_calls && c.workload == other.workload && c.map == "best" && c.isa == other.isa &&
+             c.samples_per_point == other.samples_per_point && (c.light == other.light || other.light == "set_64");
+    });
+    if (single != cases.end()) row.vs_single = ratio(row.ns_per_sample, collector.ns_per_sample(*single));
     rows.push_back(row);
   }
   return rows;
 }
 
 void print_table(const std::vector<Row>& rows) {
-  std::printf("%-9s %-10s %-10s %8s %4s %8s %12s %9s %9s %13s\n", "light", "map", "isa", "threads", "k", "points",
-              "ns/sample", "vs area", "vs copy", "vs reference");
+  std::printf("%-9s %-10s %-10s %8s %4s %8s %12s %9s %9s %13s %10s\n", "light", "map", "isa", "threads", "k", "points",
+              "ns/sample", "vs area", "vs copy", "vs reference", "vs single");
   for (const Row& row : rows) {
     const Case& c = row.measured;
-    std::printf("%-9s %-10s %-10s %8d %4zu %8zu %12.3f %9.2f %9.2f %13.1f\n", c.light.c_str(), c.map.c_str(),
+    std::printf("%-9s %-10s %-10s %8d %4zu %8zu %12.3f %9.2f %9.2f %13.1f %10.2f\n", c.light.c_str(), c.map.c_str(),
                 c.isa.c_str(), c.threads, c.samples_per_point, c.points, row.ns_per_sample, row.vs_area, row.vs_copy,
-                row.vs_reference);
+                row.vs_reference, row.vs_single);
   }
 }
 
@@ -104,7 +109,8 @@ void write_json(const std::vector<Row>& rows, const std::vector<DistanceRow>& di
                               {"ns_per_sample", row.ns_per_sample},
                               {"vs_area", row.vs_area},
                               {"vs_copy", row.vs_copy},
-                              {"vs_reference", row.vs_reference}});
+                              {"vs_reference", row.vs_reference},
+                              {"vs_single", row.vs_single}});
   }
   report["distances"] = nlohmann::json::array();
   for (const DistanceRow& row : distances) {

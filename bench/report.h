@@ -10,6 +10,9 @@
 
 namespace hatbox::bench {
 
+/// The map of a case that samples the lights of a set one by one.
+inline constexpr const char* single_calls = "single_calls";
+
 /// One case. The map "copy" (isa "any") copies the arrays; the isa "reference" is the scalar double reference.
 struct Case {
   std::string light = {}, map = {}, isa = {}, workload = {};
@@ -44,6 +47,7 @@ struct Row {
   double ns_per_sample = 0;
   double vs_area = 0, vs_copy = 0;  // this ÷ that, same ISA, threads and arrays: smaller is better
   double vs_reference = 0;          // scalar double reference ÷ this: larger is better
+  double vs_single = 0;             // of a set: this ÷ calls for its lights, or for 64 of them, one by one
 };
 
 std::vector<Row> compare(const std::vector<Case>& cases, const Collector& collector);

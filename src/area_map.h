@@ -8,18 +8,18 @@
 namespace hatbox::HATBOX_ISA {
 namespace {
 
-// What a place's coordinates span, in units of the radius, along the light's own axes; what those give back by; the area
-// in these units; and a place from the caller's axes to the light's own, or back.
+// What a place's coordinates span, in units of the radius, along the light's own axes; what those give back by; the
+// area in these units; and a place from the caller's axes to the light's own, or back.
 template <class V>
-inline const V (&span(const DiskLightOf<V>& light, int i))[3] {
+inline const V (&span(const DiskLight<V>& light, int i))[3] {
   return light.axes[i];
 }
 template <class V>
-inline V inverse_span(const DiskLightOf<V>&, int) {
+inline V inverse_span(const DiskLight<V>&, int) {
   return V(1);
 }
 template <class V>
-inline V area_of(const DiskLightOf<V>&) {
+inline V area_of(const DiskLight<V>&) {
   return constant<V>(pi);
 }
 template <class V>
@@ -27,15 +27,15 @@ inline Place<V> sorted_place(const DiskLight<V>&, const Place<V>& place) {
   return place;
 }
 template <class V>
-inline const V (&span(const EllipseLightOf<V>& light, int i))[3] {
+inline const V (&span(const EllipseLight<V>& light, int i))[3] {
   return i == 0 ? light.axes[0] : light.shorter_axis;
 }
 template <class V>
-inline V inverse_span(const EllipseLightOf<V>& light, int i) {
+inline V inverse_span(const EllipseLight<V>& light, int i) {
   return i == 0 ? V(1) : light.inverse_ratio;
 }
 template <class V>
-inline V area_of(const EllipseLightOf<V>& light) {
+inline V area_of(const EllipseLight<V>& light) {
   return constant<V>(pi) * light.ratio;
 }
 

@@ -10,8 +10,8 @@ template <class V>
 struct AreaRay {
   /// To origin + s·span_s + t·span_t. Lengths are in units of the light, from the shading point; `density` is that of a
   /// direction at distance 1.
-  HATBOX_INLINE AreaRay(const V (&origin)[3], const Narrow<V> (&span_s)[3], const Narrow<V> (&span_t)[3],
-                        const Place<V>& place, V density) {
+  HATBOX_INLINE AreaRay(const V (&origin)[3], const V (&span_s)[3], const V (&span_t)[3], const Place<V>& place,
+                        V density) {
     for (int i = 0; i < 3; ++i) l[i] = fma(V(span_s[i]), place.s, fma(V(span_t[i]), place.t, origin[i]));
     const V distance2 = fma(l[0], l[0], fma(l[1], l[1], l[2] * l[2]));
     clear = distance2 >= constant<V>(smallest_normal<V>);
@@ -21,7 +21,7 @@ struct AreaRay {
   }
 
   /// Of a light whose plane is at a height, signed along its normal.
-  HATBOX_INLINE LightSample<V> sample(const Place<V>& place, V height, const Narrow<V>& unit, Mask<V> is_given) const {
+  HATBOX_INLINE LightSample<V> sample(const Place<V>& place, V height, const V& unit, Mask<V> is_given) const {
     LightSample<V> out;
     for (int i = 0; i < 3; ++i) out.direction[i] = l[i] * inverse_distance;
     out.distance = distance * V(unit);

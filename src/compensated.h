@@ -31,7 +31,7 @@ inline Pair<V> two_product(V x, V y) {
 /// a · b for a b of twice the precision, as if computed in that and then rounded (Ogita, Rump and Oishi 2005,
 /// Dot2, with the low part of b carried to first order).
 template <class V>
-HATBOX_INLINE inline V dot(const V (&a)[3], const Narrow<V> (&b_high)[3], const Narrow<V> (&b_low)[3]) {
+HATBOX_INLINE inline V dot(const V (&a)[3], const V (&b_high)[3], const V (&b_low)[3]) {
   const Pair<V> p0 = two_product(a[0], V(b_high[0]));
   const Pair<V> p1 = two_product(a[1], V(b_high[1]));
   const Pair<V> p2 = two_product(a[2], V(b_high[2]));
@@ -44,8 +44,7 @@ HATBOX_INLINE inline V dot(const V (&a)[3], const Narrow<V> (&b_high)[3], const 
 
 /// a · b, both of twice the precision, as if computed in that: an unevaluated sum.
 template <class V>
-HATBOX_INLINE inline Pair<V> dot_pair(const Pair<V> (&a)[3], const Narrow<V> (&b_high)[3],
-                                      const Narrow<V> (&b_low)[3]) {
+HATBOX_INLINE inline Pair<V> dot_pair(const Pair<V> (&a)[3], const V (&b_high)[3], const V (&b_low)[3]) {
   const Pair<V> p0 = two_product(a[0].high, V(b_high[0]));
   const Pair<V> p1 = two_product(a[1].high, V(b_high[1]));
   const Pair<V> p2 = two_product(a[2].high, V(b_high[2]));

@@ -57,11 +57,11 @@ struct DiskLocal {
 };
 
 template <class V>
-inline const V& shorter_per_unit(const DiskLightOf<V>& light) {
+inline const V& shorter_per_unit(const DiskLight<V>& light) {
   return light.per_unit;
 }
 template <class V>
-inline const V& shorter_per_unit(const EllipseLightOf<V>& light) {
+inline const V& shorter_per_unit(const EllipseLight<V>& light) {
   return light.shorter_per_unit;
 }
 

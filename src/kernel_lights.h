@@ -1,5 +1,5 @@
-// A light as the kernels see it: the numbers that are kept of it (light_constants.h) and what follows from them, each in
-// a vector. Either all lanes have the same light, or every lane has its own; the text that reads it is the same.
+// A light as the kernels see it: the numbers that are kept of it (light_constants.h) and what follows from them, each
+// in a vector. Either all lanes have the same light, or every lane has its own; the text that reads it is the same.
 //
 // What follows is worked out here, in the kernels' own arithmetic, so that a lane's bits do not depend on which of the
 // two it was, and so that little needs to be kept of a light.
@@ -12,32 +12,32 @@ namespace hatbox::HATBOX_ISA {
 namespace {
 
 template <class V>
-struct DiskLightOf : DiskConstantsOf<V> {
+struct DiskLight : DiskConstantsOf<V> {
   using Kept = DiskConstantsOf<V>;
 
-  DiskLightOf() = default;
-  explicit DiskLightOf(const Kept& kept) : Kept(kept) { derive(); }
+  DiskLight() = default;
+  explicit DiskLight(const Kept& kept) : Kept(kept) { derive(); }
 
   void derive() {}
 };
 
 /// With the table that its maps are read from (eta_table.h).
 template <class V>
-struct TabulatedDiskLightOf : DiskLightOf<V> {
-  TabulatedDiskLightOf() = default;
-  TabulatedDiskLightOf(const DiskConstantsOf<V>& disk, const float* table, std::size_t rows)
-      : DiskLightOf<V>(disk), coefficients(table), resolution(rows) {}
+struct TabulatedDiskLight : DiskLight<V> {
+  TabulatedDiskLight() = default;
+  TabulatedDiskLight(const DiskConstantsOf<V>& disk, const float* table, std::size_t rows)
+      : DiskLight<V>(disk), coefficients(table), resolution(rows) {}
 
   const float* coefficients;
   std::size_t resolution;
 };
 
 template <class V>
-struct EllipseLightOf : EllipseConstantsOf<V> {
+struct EllipseLight : EllipseConstantsOf<V> {
   using Kept = EllipseConstantsOf<V>;
 
-  EllipseLightOf() = default;
-  explicit EllipseLightOf(const Kept& kept) : Kept(kept) { derive(); }
+  EllipseLight() = default;
+  explicit EllipseLight(const Kept& kept) : Kept(kept) { derive(); }
 
   void derive() {
     inverse_radius = this->per_unit * this->inverse_unit;
@@ -52,11 +52,11 @@ struct EllipseLightOf : EllipseConstantsOf<V> {
 };
 
 template <class V>
-struct RectangleLightOf : RectangleConstantsOf<V> {
+struct RectangleLight : RectangleConstantsOf<V> {
   using Kept = RectangleConstantsOf<V>;
 
-  RectangleLightOf() = default;
-  explicit RectangleLightOf(const Kept& kept) : Kept(kept) { derive(); }
+  RectangleLight() = default;
+  explicit RectangleLight(const Kept& kept) : Kept(kept) { derive(); }
 
   void derive() {
     const V longer = max(this->length[0], this->length[1]);
@@ -81,11 +81,11 @@ struct RectangleLightOf : RectangleConstantsOf<V> {
 /// Lengths are in units of `unit`, a power of two near the longest side. Side i lies opposite vertex i and runs
 /// counterclockwise.
 template <class V>
-struct TriangleLightOf : TriangleConstantsOf<V> {
+struct TriangleLight : TriangleConstantsOf<V> {
   using Kept = TriangleConstantsOf<V>;
 
-  TriangleLightOf() = default;
-  explicit TriangleLightOf(const Kept& kept) : Kept(kept) { derive(); }
+  TriangleLight() = default;
+  explicit TriangleLight(const Kept& kept) : Kept(kept) { derive(); }
 
   void derive() {
     const V longest = this->base * max(max(abs(this->apex[0]), this->apex[1]), V(1));
@@ -115,40 +115,29 @@ struct TriangleLightOf : TriangleConstantsOf<V> {
   V edges[2][3];  // b − a and c − a along the world's axes
 };
 
-/// The light that kernels make of constants. V is a plain vector: two of them that are worked on as one share it.
+/// The light that kernels make of constants.
 template <class V, class Constants>
 struct KernelLight;
 template <class V>
 struct KernelLight<V, DiskConstants> {
-  using type = DiskLightOf<V>;
+  using type = DiskLight<V>;
 };
 template <class V>
 struct KernelLight<V, TabulatedDisk> {
-  using type = TabulatedDiskLightOf<V>;
+  using type = TabulatedDiskLight<V>;
 };
 template <class V>
 struct KernelLight<V, EllipseConstants> {
-  using type = EllipseLightOf<V>;
+  using type = EllipseLight<V>;
 };
 template <class V>
 struct KernelLight<V, RectangleConstants> {
-  using type = RectangleLightOf<V>;
+  using type = RectangleLight<V>;
 };
 template <class V>
 struct KernelLight<V, TriangleConstants> {
-  using type = TriangleLightOf<V>;
+  using type = TriangleLight<V>;
 };
-
-template <class V>
-using DiskLight = DiskLightOf<Narrow<V>>;
-template <class V>
-using TabulatedDiskLight = TabulatedDiskLightOf<Narrow<V>>;
-template <class V>
-using EllipseLight = EllipseLightOf<Narrow<V>>;
-template <class V>
-using RectangleLight = RectangleLightOf<Narrow<V>>;
-template <class V>
-using TriangleLight = TriangleLightOf<Narrow<V>>;
 
 }  // namespace
 }  // namespace hatbox::HATBOX_ISA

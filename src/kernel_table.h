@@ -9,7 +9,7 @@
 
 namespace hatbox {
 
-/// The lights of a call: one for all points, rows[0], or where there is an index, rows[index[i] - first] for point i.
+/// The lights of a call: rows[0] for all points, or where there is an index, rows[index[i] - first] for point i.
 /// `Constants` is what is kept of a light, such as DiskConstants.
 template <class Constants>
 struct LightRows {
@@ -45,23 +45,13 @@ struct QueryJob {
   std::size_t queries_per_point;
 };
 
-/// The points of a job that a kernel is to do: from `first` on, `count` of them in a row, or where there are offsets
-/// those at first + offset[0], first + offset[1] and so on.
-struct PointList {
-  std::size_t first;
-  std::size_t count;
-  const std::uint32_t* offset;
-
-  /// Without the first `done` of points in a row.
-  PointList from(std::size_t done) const { return {first + done, count - done, offset}; }
-};
-
 template <class Constants>
-using SampleKernel = void (*)(const SampleJob<Constants>&, const PointList&);
+using SampleKernel = void (*)(const SampleJob<Constants>&, std::size_t begin, std::size_t end);
 template <class Constants>
-using QueryKernel = void (*)(const QueryJob<Constants>&, const PointList&);
+using QueryKernel = void (*)(const QueryJob<Constants>&, std::size_t begin, std::size_t end);
 
-/// All that one map can do. A map that is no bijection has no `invert`.
+/// All that one map can do. Each kernel does the points [begin, end) of its job. A map that is no bijection has no
+/// `invert`.
 template <class Constants>
 struct MapKernels {
   SampleKernel<Constants> sample;
@@ -69,6 +59,8 @@ struct MapKernels {
   QueryKernel<Constants> pdf_of_place;
   QueryKernel<Constants> invert;
 };
+
+inline constexpr std::size_t widest_packet = 32;  // lanes that are worked on at a time, at the most
 
 inline constexpr std::size_t disk_map_count = 7;
 inline constexpr std::size_t ellipse_map_count = 3;
@@ -101,6 +93,11 @@ struct KernelTable {
   MapKernels<TriangleConstants> triangle[triangle_map_count];  // in the order of TriangleMap
   QueryKernel<TriangleConstants> triangle_solid_angle;
   CarlsonKernels carlson;
+  void (*permute)(const float* from, const std::uint32_t* index, float* to, std::size_t n);  // to[i] = from[index[i]]
+  // Lists those of n numbers that lie in [low, high): in order, where they are and which. Returns how many; both lists
+  // may be written up to widest_packet beyond that.
+  std::size_t (*list_between)(const std::uint32_t* numbers, std::size_t n, std::uint32_t low, std::uint32_t high,
+                              std::uint32_t* where, std::uint32_t* which);
   // residual[i] = x[i]·y[i] − round(x[i]·y[i]): how the tests see that `fma` is fused. n is a multiple of lanes.
   void (*product_residual)(const float* x, const float* y, float* residual, std::size_t n);
 };

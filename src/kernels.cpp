@@ -30,6 +30,8 @@ constexpr KernelTable table = {
     .triangle = {kernels_of<TriangleArea, TriangleConstants>, kernels_of<TriangleSpherical, TriangleConstants>},
     .triangle_solid_angle = solid_angle<TriangleView, TriangleConstants>,
     .carlson = {rf_kernel, rc_kernel, rd_kernel, rj_kernel, ellint_f_kernel, ellint_e_kernel, ellint_pi_kernel},
+    .permute = permute,
+    .list_between = list_between,
     .product_residual = product_residual,
 };
 

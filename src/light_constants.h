@@ -1,7 +1,7 @@
-// What the library keeps of a light: its frame and its lengths, at most 24 numbers, made once a call or once a LightSet,
-// in double, and then rounded. T is float, double for the tests that run the kernels' text in double, or a vector of
-// them, a lane a light, in the kernels themselves (kernel_lights.h). Nothing else may be a member: kernels fill these
-// structs number by number. The lights must be valid (see their `check`).
+// What the library keeps of a light: its frame and its lengths, at most 24 numbers, made once a call or once a
+// LightSet, in double, and then rounded. T is float, double for the tests that run the kernels' text in double, or a
+// vector of them, a lane a light, in the kernels themselves (kernel_lights.h). Nothing else may be a member: kernels
+// fill these structs number by number. The lights must be valid (see their `check`).
 #pragma once
 
 #include <hatbox/lights.h>
@@ -32,15 +32,15 @@ struct TabulatedDisk : DiskConstants {
 
 template <class T>
 struct EllipseConstantsOf {
-  T center[3];                  // world units
-  T axes[3][3];                 // unit vectors along the longer and the shorter semi-axis, and the normal
-  T normal_lo[3];               // what rounding left of the normal
-  T radius;                     // the longer semi-axis, world units
-  T inverse_unit;               // of the power of two at or next below it
-  T per_unit, shorter_per_unit; // unit over the longer and over the shorter semi-axis
-  T ratio, inverse_ratio;       // r, the shorter semi-axis over the longer
-  T flattening;                 // 1 − r²
-  T swapped;                    // 1 if semi_axis_v is the longer one, else 0
+  T center[3];                   // world units
+  T axes[3][3];                  // unit vectors along the longer and the shorter semi-axis, and the normal
+  T normal_lo[3];                // what rounding left of the normal
+  T radius;                      // the longer semi-axis, world units
+  T inverse_unit;                // of the power of two at or next below it
+  T per_unit, shorter_per_unit;  // unit over the longer and over the shorter semi-axis
+  T ratio, inverse_ratio;        // r, the shorter semi-axis over the longer
+  T flattening;                  // 1 − r²
+  T swapped;                     // 1 if semi_axis_v is the longer one, else 0
 };
 using EllipseConstants = EllipseConstantsOf<float>;
 
@@ -50,8 +50,8 @@ EllipseConstantsOf<T> constants_of(const Ellipse& light);
 /// Of its edges the longer one counts as it is, the other without what it has along the longer: an edge that rounding
 /// has turned a little moves the light by that share of its shorter side.
 ///
-/// An edge's length is rounded, and its axis stretched by as much, so that the light ends where its edges do: all lengths
-/// along the axis are off by up to half an ulp, but what lies next to the far end does not move against it.
+/// An edge's length is rounded, and its axis stretched by as much, so that the light ends where its edges do: all
+/// lengths along the axis are off by up to half an ulp, but what lies next to the far end does not move against it.
 template <class T>
 struct RectangleConstantsOf {
   T corner[3];      // world units

@@ -26,52 +26,58 @@ HATBOX_INLINE inline void store_sample(const SampleJob<Constants>& job, const Me
   put(job.cosine, sample.cosine);
 }
 
-/// A map's set-up as a function of its own, for all but whole packets of one light: its text is long, and compiling it
-/// into each of their loops would take several times as long and gain little.
+/// A map's set-up as a function of its own, for queries and remainders: its text is long, and compiling it into each of
+/// their loops would take several times as long and gain little.
 template <template <class> class Map, class Light, class V>
 [[gnu::noinline]] Map<V> set_up(const Light& light, V x, V y, V z) {
   return Map<V>(light, x, y, z);
 }
 
 template <template <class> class Map, class Constants>
-void sample(const SampleJob<Constants>& shared_job, const PointList& list) {
+void sample(const SampleJob<Constants>& shared_job, std::size_t begin, std::size_t end) {
   const SampleJob<Constants> job = shared_job;  // our own copy, which no store through an output can change
-  PacketLights<Constants> lights(job.lights);
   const auto sample_all = [&](const auto& map, const auto& memory, std::size_t i) HATBOX_INLINE {
     for (std::size_t j = 0; j < job.samples_per_point; ++j) {
       const std::size_t at = j * job.points + i;
       store_sample(job, memory, at, map.sample(memory.load(job.u + at), memory.load(job.v + at)));
     }
   };
-  const auto body = [&](const auto& memory, std::size_t i) HATBOX_INLINE {
-    using Memory = std::remove_cvref_t<decltype(memory)>;
-    using V = typename Memory::Vector;
-    const auto load = [&](int axis) HATBOX_INLINE { return memory.load(job.point[axis] + i); };
-    if constexpr (Memory::whole) {
-      sample_all(Map<V>(lights.one(), load(0), load(1), load(2)), memory, i);
-    } else {
-      sample_all(set_up<Map>(lights.of(memory, i), load(0), load(1), load(2)), memory, i);
-    }
-  };
-  std::size_t done = 0;
-  if (lights.alike() && list.offset == nullptr) done = for_each_wide_packet(list.first, list.count, body);
-  for_each_narrow_packet(list.from(done), body);
+  const auto load = [&](const auto& memory, int axis, std::size_t i)
+                        HATBOX_INLINE { return memory.load(job.point[axis] + i); };
+  const std::size_t middle = end_of_whole_packets(begin, end);
+  if (begin != middle) {
+    PacketLights<WidePacket, Constants> lights(job.lights);
+    for_each_whole_packet(begin, middle, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
+      const Map<WidePacket> map(lights.of(i, lanes<WidePacket>), load(memory, 0, i), load(memory, 1, i),
+                                load(memory, 2, i));
+      sample_all(map, memory, i);
+    });
+  }
+  if (middle != end) {
+    PacketLights<Packet, Constants> lights(job.lights);
+    for_each_narrow_packet(middle, end, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
+      const auto map =
+          set_up<Map>(lights.of(i, memory.count), load(memory, 0, i), load(memory, 1, i), load(memory, 2, i));
+      sample_all(map, memory, i);
+    });
+  }
 }
 
 /// The loop of the queries: answer(map, packet, at) for every query of every point, at the query's place in the arrays.
 template <template <class> class Map, class Constants, class Answer>
-HATBOX_INLINE inline void for_each_query(const QueryJob<Constants>& job, const PointList& list, const Answer& answer) {
-  PacketLights<Constants> lights(job.lights);
-  for_each_narrow_packet(list, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
-    const auto map = set_up<Map>(lights.of(memory, i), memory.load(job.point[0] + i), memory.load(job.point[1] + i),
-                                 memory.load(job.point[2] + i));
+HATBOX_INLINE inline void for_each_query(const QueryJob<Constants>& job, std::size_t begin, std::size_t end,
+                                         const Answer& answer) {
+  PacketLights<Packet, Constants> lights(job.lights);
+  for_each_narrow_packet(begin, end, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
+    const auto map = set_up<Map>(lights.of(i, memory.count), memory.load(job.point[0] + i),
+                                 memory.load(job.point[1] + i), memory.load(job.point[2] + i));
     for (std::size_t j = 0; j < job.queries_per_point; ++j) answer(map, memory, j * job.points + i);
   });
 }
 
 template <template <class> class Map, class Constants>
-void pdf_of_direction(const QueryJob<Constants>& job, const PointList& list) {
-  for_each_query<Map>(job, list, [&](const auto& map, const auto& memory, std::size_t at) HATBOX_INLINE {
+void pdf_of_direction(const QueryJob<Constants>& job, std::size_t begin, std::size_t end) {
+  for_each_query<Map>(job, begin, end, [&](const auto& map, const auto& memory, std::size_t at) HATBOX_INLINE {
     using V = VectorOf<decltype(memory)>;
     const V direction[3] = {memory.load(job.query[0] + at), memory.load(job.query[1] + at),
                             memory.load(job.query[2] + at)};
@@ -80,8 +86,8 @@ void pdf_of_direction(const QueryJob<Constants>& job, const PointList& list) {
 }
 
 template <template <class> class Map, class Constants>
-void pdf_of_place(const QueryJob<Constants>& job, const PointList& list) {
-  for_each_query<Map>(job, list, [&](const auto& map, const auto& memory, std::size_t at) HATBOX_INLINE {
+void pdf_of_place(const QueryJob<Constants>& job, std::size_t begin, std::size_t end) {
+  for_each_query<Map>(job, begin, end, [&](const auto& map, const auto& memory, std::size_t at) HATBOX_INLINE {
     using V = VectorOf<decltype(memory)>;
     const Place<V> place = {memory.load(job.query[0] + at), memory.load(job.query[1] + at)};
     memory.store(job.out[0] + at, map.pdf_of_place(place));
@@ -89,8 +95,8 @@ void pdf_of_place(const QueryJob<Constants>& job, const PointList& list) {
 }
 
 template <template <class> class Map, class Constants>
-void invert(const QueryJob<Constants>& job, const PointList& list) {
-  for_each_query<Map>(job, list, [&](const auto& map, const auto& memory, std::size_t at) HATBOX_INLINE {
+void invert(const QueryJob<Constants>& job, std::size_t begin, std::size_t end) {
+  for_each_query<Map>(job, begin, end, [&](const auto& map, const auto& memory, std::size_t at) HATBOX_INLINE {
     using V = VectorOf<decltype(memory)>;
     const V direction[3] = {memory.load(job.query[0] + at), memory.load(job.query[1] + at),
                             memory.load(job.query[2] + at)};
@@ -101,11 +107,11 @@ void invert(const QueryJob<Constants>& job, const PointList& list) {
 }
 
 template <template <class> class Cone, class Constants>
-void solid_angle(const QueryJob<Constants>& job, const PointList& list) {
-  PacketLights<Constants> lights(job.lights);
-  for_each_narrow_packet(list, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
+void solid_angle(const QueryJob<Constants>& job, std::size_t begin, std::size_t end) {
+  PacketLights<Packet, Constants> lights(job.lights);
+  for_each_narrow_packet(begin, end, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
     using V = VectorOf<decltype(memory)>;
-    const Cone<V> cone(lights.of(memory, i), memory.load(job.point[0] + i), memory.load(job.point[1] + i),
+    const Cone<V> cone(lights.of(i, memory.count), memory.load(job.point[0] + i), memory.load(job.point[1] + i),
                        memory.load(job.point[2] + i));
     const V area = solid_angle_of(cone);
     memory.store(job.out[0] + i, select(honest(cone.valid, area), area, V(0)));
@@ -114,12 +120,29 @@ void solid_angle(const QueryJob<Constants>& job, const PointList& list) {
 
 template <template <class> class Map, class Constants>
 inline constexpr MapKernels<Constants> kernels_of = {sample<Map, Constants>, pdf_of_direction<Map, Constants>,
-                                                 pdf_of_place<Map, Constants>, invert<Map, Constants>};
+                                                     pdf_of_place<Map, Constants>, invert<Map, Constants>};
 
 /// Of a map that has no inverse.
 template <template <class> class Map, class Constants>
 inline constexpr MapKernels<Constants> one_way_kernels_of = {sample<Map, Constants>, pdf_of_direction<Map, Constants>,
-                                                         pdf_of_place<Map, Constants>, nullptr};
+                                                             pdf_of_place<Map, Constants>, nullptr};
+
+void permute(const float* from, const std::uint32_t* index, float* to, std::size_t n) {
+  for_each_narrow_packet(0, n, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
+    memory.store(to + i, memory.gather(from, index + i));
+  });
+}
+
+std::size_t list_between(const std::uint32_t* numbers, std::size_t n, std::uint32_t low, std::uint32_t high,
+                         std::uint32_t* where, std::uint32_t* which) {
+  std::size_t listed = 0, i = list_whole_between(numbers, n, low, high, where, which, listed);
+  for (; i < n; ++i) {
+    where[listed] = static_cast<std::uint32_t>(i);
+    which[listed] = numbers[i];
+    listed += numbers[i] - low < high - low ? 1u : 0u;
+  }
+  return listed;
+}
 
 void product_residual(const float* x, const float* y, float* residual, std::size_t n) {
   for (std::size_t i = 0; i < n; i += lanes<Packet>) {

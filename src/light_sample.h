@@ -48,7 +48,7 @@ struct UniformDensity {
 
 /// A direction given along the light's own axes, in world space, and the cosine.
 template <class V>
-HATBOX_INLINE inline void set_direction(const Narrow<V> (&axes)[3][3], const V (&along)[3], LightSample<V>& out) {
+HATBOX_INLINE inline void set_direction(const V (&axes)[3][3], const V (&along)[3], LightSample<V>& out) {
   for (int i = 0; i < 3; ++i) {
     out.direction[i] = fma(V(axes[0][i]), along[0], fma(V(axes[1][i]), along[1], V(axes[2][i]) * along[2]));
   }
@@ -57,7 +57,7 @@ HATBOX_INLINE inline void set_direction(const Narrow<V> (&axes)[3][3], const V (
 
 /// The component of a direction along an axis.
 template <class V>
-inline V along(const Narrow<V> (&axis)[3], const V (&direction)[3]) {
+inline V along(const V (&axis)[3], const V (&direction)[3]) {
   return fma(direction[0], V(axis[0]), fma(direction[1], V(axis[1]), direction[2] * V(axis[2])));
 }
 

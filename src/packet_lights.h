@@ -2,50 +2,52 @@
 #pragma once
 
 #include "kernel_lights.h"
+#include "lanes.h"
 #include "packets.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {
 
-template <class Constants>
+template <class V, class Constants>
 class PacketLights {
  public:
-  using Light = typename KernelLight<Packet, Constants>::type;
+  using Light = typename KernelLight<V, Constants>::type;
 
   HATBOX_INLINE explicit PacketLights(const LightRows<Constants>& rows) : rows_(rows) {
     if (rows.index != nullptr) return;
     const auto* number = reinterpret_cast<const float*>(rows.rows);
-    for (std::size_t i = 0; i < count; ++i) numbers()[i] = Packet(number[i]);
+    for (std::size_t i = 0; i < kept; ++i) numbers()[i] = V(number[i]);
     complete();
   }
 
-  /// Whether all points have one light.
-  bool alike() const { return rows_.index == nullptr; }
-
-  /// That light.
-  const Light& one() const { return light_; }
-
-  /// The light of each lane of the packet that lies at i.
-  HATBOX_INLINE const Light& of(const AnyPacket<Packet>& packet, std::size_t i) {
-    if (!alike()) gather(packet, rows_.index + i);
+  /// The lights of the packet of `count` points that lies at i.
+  HATBOX_INLINE const Light& of(std::size_t i, std::size_t count) {
+    if (rows_.index != nullptr) gather(rows_.index + i, count);
     return light_;
   }
 
  private:
   using Kept = typename Light::Kept;
-  static constexpr std::size_t count = sizeof(Kept) / sizeof(Packet);
+  static constexpr std::size_t kept = sizeof(Kept) / sizeof(V);
 
-  Packet* numbers() { return reinterpret_cast<Packet*>(static_cast<Kept*>(&light_)); }
+  V* numbers() { return reinterpret_cast<V*>(static_cast<Kept*>(&light_)); }
 
-  [[gnu::noinline]] void gather(const AnyPacket<Packet>& packet, const std::uint32_t* index) {
-    const float* row[lanes<Packet>];
-    for (std::size_t lane = 0; lane < lanes<Packet>; ++lane) {
-      const std::size_t place = packet.place(lane < packet.count ? lane : 0);
-      row[lane] = reinterpret_cast<const float*>(rows_.rows + (index[place] - rows_.first));
+  HATBOX_INLINE void gather(const std::uint32_t* index, std::size_t count) {
+    if (count == lanes<V>) return gather(index);
+    std::uint32_t padded[lanes<V>];
+    for (std::size_t lane = 0; lane < lanes<V>; ++lane) padded[lane] = index[lane < count ? lane : 0];
+    gather(padded);
+  }
+
+  [[gnu::noinline]] void gather(const std::uint32_t* index) {
+    const auto* rows = reinterpret_cast<const float*>(rows_.rows);
+    const float* row[lanes<V>];
+    for (std::size_t lane = 0; lane < lanes<V>; ++lane) {
+      row[lane] = rows + (index[lane] - rows_.first) * (sizeof(Constants) / sizeof(float));
     }
-    for (std::size_t i = 0; i < count; i += 4) {
-      const std::size_t at = i + 4 <= count ? i : count - 4;  // a row ends where it ends
-      Packet columns[4];
+    for (std::size_t i = 0; i < kept; i += 4) {
+      const std::size_t at = i + 4 <= kept ? i : kept - 4;  // a row ends where it ends
+      V columns[4];
       load_rows(row, at, columns);
       for (std::size_t j = 0; j < 4; ++j) numbers()[at + j] = columns[j];
     }

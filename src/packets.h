@@ -1,15 +1,13 @@
-// Packets of a kernel's arrays: whole ones, two at a time where there are registers for both; and all others, the last,
-// partial one and points that lie apart, which go through the same vector code.
+// Packets of a kernel's arrays: whole ones, two at a time where there are registers for both, and the last, partial
+// one, which goes through the same vector code.
 #pragma once
 
-#include "kernel_table.h"
 #include "lanes.h"
-#include "twin.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {
 
-/// Where a packet lies in the arrays.
+/// Where a packet lies in the arrays: all of it, or its first `count` lanes.
 template <class V>
 struct WholePacket {
   using Vector = V;
@@ -18,35 +16,30 @@ struct WholePacket {
   void store(float* to, V value) const { hatbox::HATBOX_ISA::store(to, value); }
 };
 
-/// Whole or partial, in a row or apart, as it turns out: one text for all, where speed does not matter as much as the
-/// size of the code.
+/// Whole or partial, as it turns out: one text for both, where speed does not matter as much as the size of the code.
 template <class V>
 struct AnyPacket {
   using Vector = V;
   static constexpr bool whole = false;
-
-  /// Where a lane lies, from where the packet does.
-  std::size_t place(std::size_t lane) const { return offset == nullptr ? lane : offset[lane]; }
-
   V load(const float* from) const {
-    if (count == lanes<V>) {
-      return offset == nullptr ? hatbox::HATBOX_ISA::load(from, V()) : load_listed(from, offset, V());
-    }
+    if (count == lanes<V>) return hatbox::HATBOX_ISA::load(from, V());
     float padded[lanes<V>] = {};
-    for (std::size_t lane = 0; lane < count; ++lane) padded[lane] = from[place(lane)];
+    std::memcpy(padded, from, count * sizeof(float));
     return hatbox::HATBOX_ISA::load(padded, V());
   }
   void store(float* to, V value) const {
-    if (count == lanes<V>) {
-      return offset == nullptr ? hatbox::HATBOX_ISA::store(to, value) : store_listed(to, offset, value);
-    }
+    if (count == lanes<V>) return hatbox::HATBOX_ISA::store(to, value);
     float padded[lanes<V>];
     hatbox::HATBOX_ISA::store(padded, value);
-    for (std::size_t lane = 0; lane < count; ++lane) to[place(lane)] = padded[lane];
+    std::memcpy(to, padded, count * sizeof(float));
   }
-
+  V gather(const float* from, const std::uint32_t* index) const {
+    if (count == lanes<V>) return gather_at(from, index, V());
+    std::uint32_t padded[lanes<V>] = {};
+    std::memcpy(padded, index, count * sizeof(std::uint32_t));
+    return gather_at(from, padded, V());
+  }
   std::size_t count;
-  const std::uint32_t* offset;  // null: its lanes lie in a row
 };
 
 template <class Memory>
@@ -59,35 +52,32 @@ using WidePacket = Twin<Packet>;
 using WidePacket = Packet;
 #endif
 
-/// Calls body(packet, where it lies) for all packets of a list, one kind of packet at a time. For queries.
+/// Calls body(packet, first point) for all packets of [begin, end), one kind of packet at a time. For queries.
 template <class Body>
-HATBOX_INLINE inline void for_each_narrow_packet(const PointList& list, const Body& body) {
-  for (std::size_t i = 0; i < list.count; i += lanes<Packet>) {
-    const std::size_t left = list.count - i, count = left < lanes<Packet> ? left : lanes<Packet>;
-    if (list.offset == nullptr) {
-      body(AnyPacket<Packet>{count, nullptr}, list.first + i);
-    } else {
-      body(AnyPacket<Packet>{count, list.offset + i}, list.first);
-    }
+HATBOX_INLINE inline void for_each_narrow_packet(std::size_t begin, std::size_t end, const Body& body) {
+  for (std::size_t i = begin; i < end; i += lanes<Packet>) {
+    const std::size_t left = end - i;
+    body(AnyPacket<Packet>{left < lanes<Packet> ? left : lanes<Packet>}, i);
   }
 }
 
-/// The same as fast as can be, for points in a row: as many lanes at a time as there are registers for. Returns how
-/// many points the whole packets were.
-template <class Body>
-HATBOX_INLINE inline std::size_t for_each_wide_packet(std::size_t first, std::size_t count, const Body& body) {
-  std::size_t i = 0;
-  for (; count - i >= lanes<WidePacket>; i += lanes<WidePacket>) body(WholePacket<WidePacket>(), first + i);
-  return i;
+/// Where the whole packets of [begin, end) end: as many lanes at a time as there are registers for.
+inline std::size_t end_of_whole_packets(std::size_t begin, std::size_t end) {
+  return end - (end - begin) % lanes<WidePacket>;
 }
 
-/// All packets of a range, whole ones first.
+/// The same for whole packets, as fast as can be. For sampling.
+template <class Body>
+HATBOX_INLINE inline void for_each_whole_packet(std::size_t begin, std::size_t end, const Body& body) {
+  for (std::size_t i = begin; i < end; i += lanes<WidePacket>) body(WholePacket<WidePacket>(), i);
+}
+
+/// Whole packets, and the rest in narrow ones.
 template <class Body>
 HATBOX_INLINE inline void for_each_packet(std::size_t begin, std::size_t end, const Body& body) {
-  const std::size_t done = for_each_wide_packet(begin, end - begin, body);
-  if constexpr (lanes < WidePacket >> 1) {
-    for_each_narrow_packet(PointList{begin + done, end - begin - done, nullptr}, body);
-  }
+  const std::size_t middle = end_of_whole_packets(begin, end);
+  for_each_whole_packet(begin, middle, body);
+  if constexpr (lanes < WidePacket >> 1) for_each_narrow_packet(middle, end, body);
 }
 
 }  // namespace

@@ -21,13 +21,13 @@ inline Schedule parallel_with(std::size_t grain) { return {.parallel = true, .gr
 /// Points a block, for k samples each: about what fits the first-level cache with its inputs and outputs and is worth a
 /// task, and a multiple of the widest packet, so that only the job's last packet is a partial one.
 inline std::size_t block_size(std::size_t grain, std::size_t per_point) {
-  constexpr std::size_t widest_packet = 32, samples_per_block = 1024;
+  constexpr std::size_t samples_per_block = 1024;
   const std::size_t points = grain != 0 ? grain : samples_per_block / std::max<std::size_t>(per_point, 1);
   return std::max<std::size_t>(points / widest_packet, 1) * widest_packet;
 }
 
-/// Calls work(begin, end) for all of the points, in blocks. In parallel that is done in the caller's TBB arena, isolated
-/// from its other tasks; a job of one block stays in the caller's thread.
+/// Calls work(begin, end) for all of the points. In parallel that is done in blocks, in the caller's TBB arena and
+/// isolated from its other tasks; a job of one block stays in the caller's thread.
 template <class Work>
 void run_blocks(const Schedule& schedule, std::size_t points, std::size_t per_point, const Work& work) {
   const std::size_t block = block_size(schedule.grain, per_point);
@@ -42,19 +42,11 @@ void run_blocks(const Schedule& schedule, std::size_t points, std::size_t per_po
   });
 }
 
-/// Runs a kernel that takes a range of its job.
+/// Runs a kernel over all of the points.
 template <class Job>
 void run(const Schedule& schedule, std::size_t points, std::size_t per_point,
          void (*kernel)(const Job&, std::size_t, std::size_t), const Job& job) {
   run_blocks(schedule, points, per_point, [&](std::size_t begin, std::size_t end) { kernel(job, begin, end); });
-}
-
-/// Runs a kernel that takes a list of points of its job, over all of them.
-template <class Job>
-void run(const Schedule& schedule, std::size_t points, std::size_t per_point,
-         void (*kernel)(const Job&, const PointList&), const Job& job) {
-  run_blocks(schedule, points, per_point,
-             [&](std::size_t begin, std::size_t end) { kernel(job, {begin, end - begin, nullptr}); });
 }
 
 }  // namespace hatbox

@@ -36,7 +36,6 @@ namespace {
 template <class V>
 struct Lanes {
   using Scalar = V;
-  using Narrow = V;
   using Mask = bool;
   static constexpr std::size_t count = 1;
 };
@@ -45,8 +44,6 @@ template <class V>
 using Mask = typename Lanes<V>::Mask;
 template <class V>
 using Scalar = typename Lanes<V>::Scalar;
-template <class V>  // V itself, or of a Twin the vector that it is two of
-using Narrow = typename Lanes<V>::Narrow;
 
 template <class V>
 inline V constant(double value) {
@@ -126,7 +123,6 @@ using PacketMask = Packet::batch_bool_type;
 template <>
 struct Lanes<Packet> {
   using Scalar = float;
-  using Narrow = Packet;
   using Mask = PacketMask;
   static constexpr std::size_t count = Packet::size;
 };

@@ -26,7 +26,6 @@ struct Twin {
 
   Twin() = default;
   explicit Twin(Scalar<V> value) : first(value), second(value) {}
-  explicit Twin(const V& value) : first(value), second(value) {}
   Twin(const V& x, const V& y) : first(x), second(y) {}
 
   using M = TwinMask<hatbox::HATBOX_ISA::Mask<V>>;
@@ -44,7 +43,6 @@ struct Twin {
 
 template <class V>
 struct Lanes<Twin<V>> {
-  using Narrow = V;
   using Scalar = typename Lanes<V>::Scalar;
   using Mask = TwinMask<typename Lanes<V>::Mask>;
   static constexpr std::size_t count = 2 * Lanes<V>::count;

@@ -22,13 +22,6 @@ namespace {
 /// Every instruction set, the lights at the origin and in a general pose.
 class Independence : public IsaAndPoseTest {};
 
-void expect_same(const std::vector<NamedColumn>& got, const std::vector<NamedColumn>& expected) {
-  for (std::size_t c = 0; c < got.size(); ++c) {
-    ASSERT_EQ(got[c].values.size(), expected[c].values.size());
-    ASSERT_EQ(first_difference(got[c].values, expected[c].values), got[c].values.size()) << got[c].name;
-  }
-}
-
 TEST_P(Independence, LengthOfTheNormalDoesNotMatter) {
   const Disk light = disk_in(pose());
   const PointArrays points = make_points(Workload::w1, pose(), 100);
@@ -40,20 +33,6 @@ TEST_P(Independence, LengthOfTheNormalDoesNotMatter) {
     longer.normal = {scale * longer.normal.x, scale * longer.normal.y, scale * longer.normal.z};
     expect_same(call_everything(Sampler("longer", longer, DiskMap::ld_radial), queries), expected);
   }
-}
-
-/// The outputs of the points `indices` out of those of all n.
-std::vector<NamedColumn> picked(const std::vector<NamedColumn>& all, std::size_t n,
-                                const std::vector<std::size_t>& indices) {
-  std::vector<NamedColumn> result;
-  for (const auto& [what, values] : all) {
-    std::vector<float> some;
-    for (std::size_t j = 0; j < values.size() / n; ++j) {
-      for (const std::size_t i : indices) some.push_back(values[j * n + i]);
-    }
-    result.push_back({what, some});
-  }
-  return result;
 }
 
 /// W1 and W2 with bad points strewn in, so that lanes that end early share a packet with those that do not.
@@ -77,12 +56,12 @@ TEST_P(Independence, BitsDoNotDependOnThePlaceInTheArray) {
       std::vector<std::size_t> order(n);
       std::iota(order.begin(), order.end(), std::size_t{0});
       std::reverse(order.begin(), order.end());
-      expect_same(call_everything(sampler, pick(all, order)), picked(expected, n, order));
+      expect_same(call_everything(sampler, pick(all, order)), pick(expected, n, order));
       std::rotate(order.begin(), order.begin() + 5, order.end());
-      expect_same(call_everything(sampler, pick(all, order)), picked(expected, n, order));
+      expect_same(call_everything(sampler, pick(all, order)), pick(expected, n, order));
       for (const std::size_t size : odd_sizes) {
         order.resize(size);
-        expect_same(call_everything(sampler, pick(all, order)), picked(expected, n, order));
+        expect_same(call_everything(sampler, pick(all, order)), pick(expected, n, order));
       }
     }
   }

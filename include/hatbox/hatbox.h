@@ -7,6 +7,7 @@
 #include <hatbox/disk_table.h>
 #include <hatbox/ellipse.h>
 #include <hatbox/isa.h>
+#include <hatbox/light_set.h>
 #include <hatbox/lights.h>
 #include <hatbox/rectangle.h>
 #include <hatbox/triangle.h>

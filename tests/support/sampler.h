@@ -31,6 +31,8 @@ bool has_inverse(const Map&) {
 inline bool has_inverse(DiskMap map) { return map != DiskMap::rejection; }
 
 struct Sampler {
+  Sampler() = default;
+
   template <class Light, class Map>
   Sampler(std::string sampler_name, const Light& light, const Map& map);
 

@@ -1,5 +1,9 @@
 #include "support/sampler_calls.h"
 
+#include "support/bits.h"
+
+#include <gtest/gtest.h>
+
 #include <numeric>
 
 namespace hatbox::test {
@@ -73,6 +77,26 @@ std::vector<NamedColumn> call_everything(const Sampler& sampler, const Queries& 
   }
   result.push_back({"solid_angle", omega});
   return result;
+}
+
+std::vector<NamedColumn> pick(const std::vector<NamedColumn>& all, std::size_t n,
+                              const std::vector<std::size_t>& indices) {
+  std::vector<NamedColumn> result;
+  for (const auto& [what, values] : all) {
+    std::vector<float> some;
+    for (std::size_t j = 0; j < values.size() / n; ++j) {
+      for (const std::size_t i : indices) some.push_back(values[j * n + i]);
+    }
+    result.push_back({what, some});
+  }
+  return result;
+}
+
+void expect_same(const std::vector<NamedColumn>& got, const std::vector<NamedColumn>& expected) {
+  for (std::size_t c = 0; c < got.size(); ++c) {
+    ASSERT_EQ(got[c].values.size(), expected[c].values.size());
+    ASSERT_EQ(first_difference(got[c].values, expected[c].values), got[c].values.size()) << got[c].name;
+  }
 }
 
 }  // namespace hatbox::test

@@ -39,4 +39,11 @@ Queries nth_samples(const Queries& from, std::size_t j);
 /// All outputs of all calls: sequential, or parallel with a grain.
 std::vector<NamedColumn> call_everything(const Sampler& sampler, const Queries& queries, Grain grain = {});
 
+/// The outputs of the points `indices` out of those of all n.
+std::vector<NamedColumn> pick(const std::vector<NamedColumn>& all, std::size_t n,
+                              const std::vector<std::size_t>& indices);
+
+/// Expects the same bits in all columns.
+void expect_same(const std::vector<NamedColumn>& got, const std::vector<NamedColumn>& expected);
+
 }  // namespace hatbox::test

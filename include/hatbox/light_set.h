@@ -1,0 +1,95 @@
+// Many lights of mixed kinds: every shading point has its own. The same calls as for one light, with a light index a
+// point; nobody has to sort anything.
+#pragma once
+
+#include <hatbox/arrays.h>
+#include <hatbox/disk.h>
+#include <hatbox/ellipse.h>
+#include <hatbox/lights.h>
+#include <hatbox/rectangle.h>
+#include <hatbox/triangle.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace hatbox {
+
+/// An immutable set of lights, ready for the kernels. Index 0 is the first disk; the ellipses follow the disks, then
+/// come the rectangles, then the triangles. At most 96 bytes a light. Copies share what is in it; any number of threads
+/// may use one.
+class LightSet {
+ public:
+  /// The map that each kind of light is sampled by. The best exact ones by default.
+  struct Maps {
+    DiskMap disk = DiskMap::ld_radial;
+    EllipseMap ellipse = EllipseMap::ld_radial;
+    RectangleMap rectangle = RectangleMap::spherical;
+    TriangleMap triangle = TriangleMap::spherical;
+  };
+
+  /// Keeps none of the spans; any of them may be empty. Throws std::invalid_argument if a light is not one (see
+  /// `check`) or a map does not exist; the message names the span, the position and the member.
+  LightSet(std::span<const Disk> disks, std::span<const Ellipse> ellipses, std::span<const Rectangle> rectangles,
+           std::span<const Triangle> triangles, const Maps& maps);
+  LightSet(std::span<const Disk> disks, std::span<const Ellipse> ellipses, std::span<const Rectangle> rectangles,
+           std::span<const Triangle> triangles)
+      : LightSet(disks, ellipses, rectangles, triangles, Maps{}) {}
+
+  std::size_t size() const noexcept;
+
+  struct Data;
+  const Data& data() const noexcept { return *data_; }
+
+ private:
+  std::shared_ptr<const Data> data_;
+};
+
+/// Scratch memory of the calls below, to be used again and again: it grows with the number of threads at work and with
+/// the grain, and once it has its size, calls allocate nothing. One call at a time may use it.
+class Workspace {
+ public:
+  Workspace();
+  ~Workspace();
+  Workspace(Workspace&&) noexcept;
+  Workspace& operator=(Workspace&&) noexcept;
+
+  struct Data;
+  Data& data() noexcept { return *data_; }
+
+ private:
+  std::unique_ptr<Data> data_;
+};
+
+// What disk.h says of a single light's calls holds here, and every lane has the bits of the call for its light alone.
+// `light` holds n indices, one a point, in any order; all k samples or queries of a point are of its light. One that is
+// out of range: std::invalid_argument, which names the first such position, and nothing is written.
+
+void sample(const LightSet& set, std::span<const std::uint32_t> light, Points points, Variates variates, Samples out,
+            Workspace& workspace);
+void pdf(const LightSet& set, std::span<const std::uint32_t> light, Points points, Directions directions,
+         std::span<float> out, Workspace& workspace);
+void pdf(const LightSet& set, std::span<const std::uint32_t> light, Points points, Places places, std::span<float> out,
+         Workspace& workspace);
+/// Throws std::invalid_argument if the set has disks that are sampled by DiskMap::rejection.
+void invert(const LightSet& set, std::span<const std::uint32_t> light, Points points, Directions directions,
+            std::span<float> u, std::span<float> v, Workspace& workspace);
+void solid_angle(const LightSet& set, std::span<const std::uint32_t> light, Points points, std::span<float> out,
+                 Workspace& workspace);
+
+/// The same calls, split into blocks of points by TBB; see disk.h.
+namespace parallel {
+void sample(const LightSet& set, std::span<const std::uint32_t> light, Points points, Variates variates, Samples out,
+            Workspace& workspace, std::size_t grain = 0);
+void pdf(const LightSet& set, std::span<const std::uint32_t> light, Points points, Directions directions,
+         std::span<float> out, Workspace& workspace, std::size_t grain = 0);
+void pdf(const LightSet& set, std::span<const std::uint32_t> light, Points points, Places places, std::span<float> out,
+         Workspace& workspace, std::size_t grain = 0);
+void invert(const LightSet& set, std::span<const std::uint32_t> light, Points points, Directions directions,
+            std::span<float> u, std::span<float> v, Workspace& workspace, std::size_t grain = 0);
+void solid_angle(const LightSet& set, std::span<const std::uint32_t> light, Points points, std::span<float> out,
+                 Workspace& workspace, std::size_t grain = 0);
+}  // namespace parallel
+
+}  // namespace hatbox
