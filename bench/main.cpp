@@ -3,6 +3,7 @@
 #include "carlson_bench.h"
 #include "disk_bench.h"
 #include "distance_bench.h"
+#include "equiangular_bench.h"
 #include "light_bench.h"
 #include "light_set_bench.h"
 
@@ -42,6 +43,7 @@ int run(int argc, char** argv) {
   for (Case& c : register_carlson_cases()) cases.push_back(std::move(c));
   for (Case& c : register_light_cases()) cases.push_back(std::move(c));
   for (Case& c : register_light_set_cases()) cases.push_back(std::move(c));
+  for (Case& c : register_equiangular_cases()) cases.push_back(std::move(c));
   const std::vector<DistanceRow> distances = register_distance_cases();
   Collector collector((cases.size() + distances.size()) * static_cast<std::size_t>(repetitions));
   benchmark::RunSpecifiedBenchmarks(&collector);

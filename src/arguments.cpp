@@ -13,10 +13,7 @@ namespace {
 
 BatchSize checked_batch(const Points& points, const char* name, std::size_t count) {
   const std::size_t n = checked_size(points);
-  if (n == 0 ? count != 0 : count % n != 0) {
-    reject(name, count, "a multiple of the " + std::to_string(n) + " points");
-  }
-  return {n, n == 0 ? 0 : count / n};
+  return {n, checked_multiple(name, count, n, "points")};
 }
 
 }  // namespace
@@ -33,6 +30,13 @@ void check_size(const char* name, std::span<const float> array, std::size_t expe
 
 void check_size_or_empty(const char* name, std::span<const float> array, std::size_t expected) {
   if (!array.empty() && array.size() != expected) reject(name, array.size(), std::to_string(expected) + " or none");
+}
+
+std::size_t checked_multiple(const char* name, std::size_t count, std::size_t n, const char* of_what) {
+  if (n == 0 ? count != 0 : count % n != 0) {
+    reject(name, count, "a multiple of the " + std::to_string(n) + " " + of_what);
+  }
+  return n == 0 ? 0 : count / n;
 }
 
 std::size_t checked_size(const Points& points) {

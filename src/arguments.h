@@ -36,6 +36,9 @@ void check_size(const char* name, std::span<const float> array, std::size_t expe
 /// As above, but an empty span will do too.
 void check_size_or_empty(const char* name, std::span<const float> array, std::size_t expected);
 
+/// How many each of n `of_what` has of `count` numbers, the same for all of them.
+std::size_t checked_multiple(const char* name, std::size_t count, std::size_t n, const char* of_what);
+
 void check_outputs(const Samples& out, std::size_t expected);
 
 }  // namespace hatbox

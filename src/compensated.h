@@ -55,6 +55,19 @@ HATBOX_INLINE inline Pair<V> dot_pair(const Pair<V> (&a)[3], const V (&b_high)[3
   return {s2.high, low};
 }
 
+/// a · b, a of twice the precision, as if computed in that.
+template <class V>
+HATBOX_INLINE inline Pair<V> dot_pair(const Pair<V> (&a)[3], const V (&b)[3]) {
+  const Pair<V> p0 = two_product(a[0].high, b[0]);
+  const Pair<V> p1 = two_product(a[1].high, b[1]);
+  const Pair<V> p2 = two_product(a[2].high, b[2]);
+  const Pair<V> s1 = two_sum(p0.high, p1.high);
+  const Pair<V> s2 = two_sum(s1.high, p2.high);
+  V low = (p0.low + p1.low) + p2.low + (s1.low + s2.low);
+  for (int i = 0; i < 3; ++i) low = fma(a[i].low, b[i], low);
+  return {s2.high, low};
+}
+
 /// √(x² + y²), also where the squares would underflow.
 template <class V>
 HATBOX_INLINE inline V length_of_small(V x, V y) {

@@ -79,6 +79,26 @@ struct CarlsonKernels {
   CarlsonKernel rf, rc, rd, rj, ellint_f, ellint_e, ellint_pi;
 };
 
+/// One call about n segments of rays (equiangular.h): k numbers a segment in, variates or distances, up to two outputs.
+struct SegmentJob {
+  const float* origin[3];
+  const float* direction[3];
+  const float* t_min;
+  const float* t_max;
+  const float* place[3];   // the pivots, or a place in each plane
+  const float* normal[3];  // of the planes; of clip alone
+  const float* in;         // u or t
+  float* out[2];           // t, pdf; pdf; t_min, t_max
+  std::size_t segments;
+  std::size_t samples_per_segment;
+};
+
+using SegmentKernel = void (*)(const SegmentJob&, std::size_t begin, std::size_t end);
+
+struct SegmentKernels {
+  SegmentKernel sample, pdf, clip;
+};
+
 /// Everything one instruction set has to offer.
 struct KernelTable {
   const char* isa;                                 // what the object was compiled for: "scalar", "sse4_2", …
@@ -98,6 +118,7 @@ struct KernelTable {
   // may be written up to widest_packet beyond that.
   std::size_t (*list_between)(const std::uint32_t* numbers, std::size_t n, std::uint32_t low, std::uint32_t high,
                               std::uint32_t* where, std::uint32_t* which);
+  SegmentKernels equiangular;
   // residual[i] = x[i]·y[i] − round(x[i]·y[i]): how the tests see that `fma` is fused. n is a multiple of lanes.
   void (*product_residual)(const float* x, const float* y, float* residual, std::size_t n);
 };

@@ -1,6 +1,7 @@
 // The kernels of one instruction set. Compiled once for each of them, with HATBOX_ISA and, but for scalar, its
 // HATBOX_ISA_ARCH (cmake/isa_kernels.cmake); the table is all that an object exports.
 #include "carlson_kernels.h"
+#include "equiangular_kernels.h"
 #include "light_kernels.h"
 #include "maps.h"
 
@@ -32,6 +33,7 @@ constexpr KernelTable table = {
     .carlson = {rf_kernel, rc_kernel, rd_kernel, rj_kernel, ellint_f_kernel, ellint_e_kernel, ellint_pi_kernel},
     .permute = permute,
     .list_between = list_between,
+    .equiangular = {equiangular_sample, equiangular_pdf, clip_segments},
     .product_residual = product_residual,
 };
 

@@ -6,6 +6,7 @@
 #include <hatbox/disk.h>
 #include <hatbox/disk_table.h>
 #include <hatbox/ellipse.h>
+#include <hatbox/equiangular.h>
 #include <hatbox/isa.h>
 #include <hatbox/light_set.h>
 #include <hatbox/lights.h>
