@@ -2,6 +2,8 @@
 // is tested on all of them alike.
 #pragma once
 
+#include "support/outline.h"
+
 #include <hatbox/hatbox.h>
 
 #include <algorithm>
@@ -37,6 +39,7 @@ struct Sampler {
   Sampler(std::string sampler_name, const Light& light, const Map& map);
 
   std::string name;
+  Outline outline;
   std::function<double(double s, double t)> outside;
   std::function<void(const Points&, const Variates&, const Samples&, Grain)> sample;
   std::function<void(const Points&, const Directions&, std::span<float>, Grain)> pdf_of_direction;
@@ -49,6 +52,7 @@ struct Sampler {
 template <class Light, class Map>
 Sampler::Sampler(std::string sampler_name, const Light& light, const Map& map)
     : name(std::move(sampler_name)),
+      outline(outline_of(light)),
       outside([=](double s, double t) { return hatbox::test::outside(light, s, t); }),
       sample([=](const Points& points, const Variates& variates, const Samples& out, Grain grain) {
         grain ? parallel::sample(light, map, points, variates, out, *grain)
