@@ -56,13 +56,16 @@ HATBOX_INLINE inline SegmentView<V>::SegmentView(const Ray<V>& ray, const V (&pi
     const Pair<V> w = two_sum(pivot[i], -ray.origin[i]);
     const Pair<V> way = two_product(ray.t_min, d[i]);
     const Pair<V> difference = two_sum(w.high, -way.high);
-    q[i] = {difference.high, difference.low + (w.low - way.low)};
-    d_as_pair[i] = {d[i], V(0)};
+    q[i].high = difference.high;
+    q[i].low = difference.low + (w.low - way.low);
+    d_as_pair[i].high = d[i];
+    d_as_pair[i].low = V(0);
   }
   const Pair<V> dd = dot_pair(d_as_pair, d), qd = dot_pair(q, d);
   const V high = -qd.high / dd.high;  // the quotient's rest below: the product is exact, its difference nearly so
   const V rest = fma(-high, dd.high, -qd.high) - fma(high, dd.low, qd.low);
-  start = {high, rest / dd.high};
+  start.high = high;
+  start.low = rest / dd.high;
   const V cross[3] = {difference_of_products(q[1], d[2], q[2], d[1]), difference_of_products(q[2], d[0], q[0], d[2]),
                       difference_of_products(q[0], d[1], q[1], d[0])};
   distance = safe_length(cross) / dd.high;

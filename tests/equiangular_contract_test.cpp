@@ -2,6 +2,7 @@
 // own inputs alone, powers of two scale exactly, errors name the span.
 #include "support/bits.h"
 #include "support/isa_fixture.h"
+#include "support/random.h"
 #include "support/segments.h"
 #include "support/statistics.h"
 
@@ -14,6 +15,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace hatbox::test {
 namespace {
@@ -77,6 +79,39 @@ TEST_P(EquiangularContract, BadLanesAreSaneAndTouchNoOther) {
       const bool spoils = !std::isfinite(value) && !(c == 10 && value > 0);
       for (std::size_t i = 0; i < n && spoils; i += 2) ASSERT_EQ(got.pdf[i], 0) << "lane " << i;
     }
+  }
+}
+
+/// All numbers of all magnitudes, the same one often twice so that differences vanish.
+TEST_P(EquiangularContract, NumbersOfAllMagnitudesAreSane) {
+  Random random(6);
+  constexpr std::size_t n = 20000;
+  const auto number = [&] {
+    const double roll = random.unit();
+    if (roll < 0.1) return 0.0f;
+    const double magnitude = roll < 0.4   ? 1
+                             : roll < 0.7 ? random.log_uniform(1e-3, 1e3)
+                                          : random.log_uniform(1e-44, 3e38);
+    return static_cast<float>(random.unit() < 0.5 ? -magnitude : magnitude);
+  };
+  SegmentArrays segments;
+  PointArrays normals;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto three = [&] { return Vec3{number(), number(), number()}; };
+    segments.push_back({three(), three(), number(), i % 9 ? number() : infinity}, three());
+    normals.push_back(three());
+    if (i % 2) std::swap(segments.t_min[i], segments.t_max[i]);
+    if (segments.t_min[i] > segments.t_max[i]) std::swap(segments.t_min[i], segments.t_max[i]);
+  }
+  const std::vector<float> u = make_variates(n).u;
+  const DistanceArrays got = sample(segments, u);
+  expect_sane(segments, u, got);
+  EXPECT_GT(std::ranges::count_if(got.pdf, [](float density) { return density > 0; }), n / 10);
+  std::vector<float> from(n), to(n);
+  equiangular::clip(segments.view(), segments.pivot.view(), {normals.x, normals.y, normals.z}, from, to);
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool nothing = same_bits(from[i], 0) && same_bits(to[i], 0);
+    ASSERT_TRUE(nothing || (from[i] < to[i] && from[i] >= segments.t_min[i] && to[i] <= segments.t_max[i])) << i;
   }
 }
 
