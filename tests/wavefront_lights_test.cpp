@@ -1,6 +1,5 @@
-// Rectangles and meshes as lights of the renderer in bench/wavefront.
+// Rectangles, meshes and ellipses as lights of the renderer in bench/wavefront.
 #include "compare.h"
-#include "support/random.h"
 #include "support/scene_text.h"
 
 #include <gtest/gtest.h>
@@ -84,63 +83,39 @@ TEST(SceneReader, refuses_what_cannot_be_a_light) {
 TEST(LightSampling, names_the_maps_that_suit) {
   const Scene scene = parse(sensor + rectangle(""));
   EXPECT_NO_THROW(check_suits(light_sampling("spherical"), scene));
-  try {
-    check_suits(light_sampling("radial"), scene);
-    FAIL() << "sampled a rectangle by a map of disks";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_NE(std::string(error.what()).find("'radial' is not for rectangles"), std::string::npos) << error.what();
-    EXPECT_NE(std::string(error.what()).find("(known: best, area, spherical"), std::string::npos) << error.what();
-  }
+  for (const char* map : {"radial", "table"}) try {
+      check_suits(light_sampling(map), scene);
+      FAIL() << "sampled a rectangle by a map of disks";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(std::string("'") + map + "' is not for"), std::string::npos)
+          << error.what();
+      EXPECT_NE(std::string(error.what()).find("(known: best, area, area_first, spherical"), std::string::npos)
+          << error.what();
+    }
 }
 
-/// Samples a 3 × 2 rectangle made of two triangles, twice from each of more points than a block has.
-struct MeshSamples {
-  static constexpr std::size_t n = 5000, k = 2;
-
-  MeshSamples(hatbox::TriangleMap map, Choice choice) {
-    hatbox::test::Random random(7);
-    for (std::size_t i = 0; i < n; ++i) {
-      x[i] = 8 * random.unit_float() - 4;
-      y[i] = 8 * random.unit_float() - 4;
-      z[i] = 6 * random.unit_float() - 3;
-    }
-    for (std::size_t i = 0; i < k * n; ++i) {
-      u[i] = random.unit_float();
-      v[i] = random.unit_float();
-    }
-    const MeshLight light{{{{0, 0, 0}, {3, 0, 0}, {3, 2, 0}}, {{0, 0, 0}, {3, 2, 0}, {0, 2, 0}}}};
-    sample_mesh(light, map, choice, {x, y, z}, {u, v}, {dx, dy, dz, distance, pdf, {}, {}, cosine});
-  }
-
-  /// Where a sample ends.
-  V3f end(std::size_t sample) const {
-    const std::size_t i = sample % n;
-    return V3f(x[i], y[i], z[i]) + V3f(dx[sample], dy[sample], dz[sample]) * distance[sample];
-  }
-
-  std::vector<float> x = std::vector<float>(n), y = x, z = x;
-  std::vector<float> u = std::vector<float>(k * n), v = u, dx = u, dy = u, dz = u, distance = u, pdf = u, cosine = u;
-};
-
-TEST(MeshLight, solid_angle_makes_the_density_of_the_whole_uniform) {
-  const MeshSamples samples(hatbox::TriangleMap::spherical, Choice::solid_angle);
-  std::vector<float> omega(MeshSamples::n);
-  hatbox::solid_angle(hatbox::Rectangle{{0, 0, 0}, {3, 0, 0}, {0, 2, 0}}, {samples.x, samples.y, samples.z}, omega);
-  for (std::size_t sample = 0; sample < samples.u.size(); ++sample) {
-    ASSERT_NEAR(samples.pdf[sample] * omega[sample % MeshSamples::n], 1, 2e-5) << sample;
-    ASSERT_EQ(samples.cosine[sample] > 0, samples.z[sample % MeshSamples::n] > 0);
-    const V3f end = samples.end(sample);
-    ASSERT_TRUE(end.x > -1e-5f && end.x < 3 + 1e-5f && end.y > -1e-5f && end.y < 2 + 1e-5f) << end;
-    ASSERT_NEAR(end.z, 0, 1e-5f);
-  }
+TEST(LightSampling, leaves_other_kinds_their_best_map) {
+  const Scene scene = parse(sensor + rectangle("") + R"(<shape type="disk">)" + emitter + "</shape>");
+  const LightSampling radial = light_sampling("radial");
+  EXPECT_NO_THROW(check_suits(radial, scene));
+  EXPECT_EQ(radial.maps.disk, hatbox::DiskMap::radial);
+  EXPECT_EQ(radial.maps.ellipse, hatbox::EllipseMap::radial);
+  EXPECT_EQ(radial.maps.rectangle, hatbox::RectangleMap::spherical);
+  EXPECT_THROW(check_suits(light_sampling("table"), scene), std::invalid_argument);  // for an only light
 }
 
-TEST(MeshLight, power_makes_the_density_of_the_area_uniform) {
-  const MeshSamples samples(hatbox::TriangleMap::area, Choice::power);
-  for (std::size_t sample = 0; sample < samples.u.size(); ++sample) {
-    const float distance = samples.distance[sample];
-    ASSERT_NEAR(samples.pdf[sample] * 6 * std::abs(samples.cosine[sample]) / (distance * distance), 1, 2e-5) << sample;
-  }
+TEST(SceneReader, a_stretched_disk_is_an_ellipse) {
+  // Stretched along a diagonal, so that no axis of the square is one of the ellipse; with a mirror and a turn.
+  const std::string steps =
+      R"(<rotate z="1" angle="30"/><scale x="-3" y="2"/><rotate x="1" angle="90"/><translate x="1" y="3" z="-4"/>)";
+  const Scene scene = parse(sensor + R"(<shape type="disk"><transform name="toWorld">)" + steps + "</transform>" +
+                            emitter + "</shape>");
+  const auto& light = std::get<hatbox::Ellipse>(scene.emitters.at(0).light);
+  const V3f u = to_v3f(light.semi_axis_u), v = to_v3f(light.semi_axis_v);
+  expect_near(to_v3f(light.center), {1, 3, -4}, 1e-6f);
+  expect_near({std::abs(u.x), std::abs(u.y), std::abs(u.z)}, {3, 0, 0}, 1e-5f);
+  expect_near({std::abs(v.x), std::abs(v.y), std::abs(v.z)}, {0, 0, 2}, 1e-5f);
+  expect_near(u.cross(v), {0, -6, 0}, 1e-5f);
 }
 
 /// Half of the irradiance that a rectangle of radiance one makes at a distance of one under a corner, its sides x and
@@ -154,7 +129,7 @@ double under_corner(double x, double y) {
 constexpr char over_the_patch[] = R"(<scale y="0.5"/><rotate x="1" angle="90"/><translate x="0.5" y="1" z="0.2"/>)";
 
 RenderSettings small_settings(const char* map, Choice choice) {
-  return {.width = 5, .height = 3, .spp = 16, .light_samples = 16, .sampling = light_sampling(map, choice)};
+  return {.width = 5, .height = 3, .spp = 16, .light_samples = 16, .sampling = light_sampling(map), .choice = choice};
 }
 
 /// The pixels' own randomisations make them independent: their mean errs by their deviation over √15, and five times
@@ -188,8 +163,8 @@ TEST(Render, a_mesh_light_gives_the_irradiance_of_its_rectangle) {
   const ScratchDirectory scratch;
   const Scene scene = parse(patch_under(obj(write_square(scratch), over_the_patch), true));
   for (const char* map : {"area", "spherical"}) {
-    for (const Choice choice : {Choice::solid_angle, Choice::power}) {
-      SCOPED_TRACE(std::string(map) + (choice == Choice::power ? ", power" : ""));
+    for (const Choice choice : {Choice::solid_angle, Choice::power, Choice::uniform}) {
+      SCOPED_TRACE(std::string(map) + ", choice " + std::to_string(static_cast<int>(choice)));
       expect_irradiance(scene, small_settings(map, choice));
     }
   }

@@ -62,19 +62,19 @@ TEST(SceneReader, reads_a_matrix_by_rows) {
 }
 
 TEST(SceneReader, names_the_unknown_element_and_its_line) {
-  const std::string error = error_of(sensor + light + "\n\n<medium type=\"homogeneous\"/>");
-  EXPECT_NE(error.find("medium"), error.npos) << error;
+  const std::string error = error_of(sensor + light + "\n\n<texture type=\"bitmap\"/>");
+  EXPECT_NE(error.find("texture"), error.npos) << error;
   EXPECT_NE(error.find("test.xml:12:"), error.npos) << error;
   EXPECT_EQ(error.find('\n'), error.npos) << error;
 }
 
 TEST(SceneReader, refuses_what_it_would_get_wrong) {
-  EXPECT_NE(error_of(sensor + "<shape type=\"cube\"/>").find("'cube'"), std::string::npos);
+  EXPECT_NE(error_of(sensor + "<shape type=\"cylinder\"/>").find("'cylinder'"), std::string::npos);
   EXPECT_NE(error_of(sensor + "<shape type=\"sphere\"><ref id=\"x\"/></shape>").find("'x'"), std::string::npos);
   EXPECT_NE(error_of(sensor + "<shape type=\"sphere\"><float name=\"radius\" value=\"two\"/></shape>").find("'two'"),
             std::string::npos);
-  EXPECT_NE(error_of(sensor + "<shape type=\"disk\"><transform name=\"toWorld\"><scale x=\"2\"/></transform></shape>")
-                .find("ellipse"),
+  EXPECT_NE(error_of(sensor + "<shape type=\"sphere\"><transform name=\"toWorld\"><scale x=\"2\"/></transform></shape>")
+                .find("ellipsoid"),
             std::string::npos);
   EXPECT_NE(
       error_of(sensor + "<shape type=\"obj\"><string name=\"filename\" value=\"no.obj\"/></shape>").find("no.obj"),

@@ -33,6 +33,7 @@ struct Row {
 Reference render_reference(const Scene& scene, const RayTracer& tracer, const Comparison& comparison) {
   RenderSettings settings = comparison.settings;
   settings.sampling = light_sampling("best");
+  if (settings.media == Media::area_first) settings.media = Media::equiangular;
   settings.light_samples = (comparison.reference_spp + 2 * settings.spp - 1) / (2 * settings.spp);
   settings.seed = hash(comparison.settings.seed, 1);
   Render first = render(scene, tracer, settings, "reference 1/2");

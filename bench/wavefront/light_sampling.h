@@ -1,32 +1,32 @@
-// The ways to sample a light, by name: the library's maps, its table, and the far-light switch.
+// The ways to sample lights, by name: the library's maps, its table, and the far-light switch.
 #pragma once
 
-#include "mesh_light.h"
+#include "names.h"
+#include "scene.h"
+
+#include <hatbox/light_set.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 
 namespace wavefront {
 
 struct LightSampling {
-  template <class Kind>
-  using Sample =
-      std::function<void(const Kind&, const hatbox::Points&, const hatbox::Variates&, const hatbox::Samples&)>;
+  using SampleDisk =
+      std::function<void(const hatbox::Disk&, const hatbox::Points&, const hatbox::Variates&, const hatbox::Samples&)>;
 
   std::string name;
-  std::tuple<Sample<hatbox::Disk>, Sample<hatbox::Rectangle>, Sample<MeshLight>> by_kind;  // empty: not for that kind
-
-  /// Fills a batch of samples of one light that it suits; runs in parallel.
-  void sample(const Light& light, const hatbox::Points& points, const hatbox::Variates& variates,
-              const hatbox::Samples& out) const;
+  hatbox::LightSet::Maps maps;  // a kind of light that the name means nothing for has its best map
+  SampleDisk sample_disk;       // for what no LightSet knows: samples a scene's only light, a disk, in parallel
+  std::optional<Media> media;   // if the name says what to do in a medium
 };
 
-/// Throws std::invalid_argument, which lists the names there are. `choice` is for meshes.
-LightSampling light_sampling(std::string_view name, Choice choice = Choice::solid_angle);
+/// Throws std::invalid_argument, which lists the names there are.
+LightSampling light_sampling(std::string_view name);
 
-/// Throws std::invalid_argument, which lists the names that suit, unless `sampling` suits every light of the scene.
+/// Throws std::invalid_argument, which lists the names that suit, unless `sampling` is for some of the scene's lights.
 void check_suits(const LightSampling& sampling, const Scene& scene);
 
 /// The names, separated by commas.

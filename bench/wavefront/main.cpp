@@ -26,6 +26,9 @@ struct Options {
   std::string out = ".";
   std::string sampler = "zero_two";
   std::string choose = "solid-angle";
+  std::string strategy = "light";
+  std::string media = "equiangular";
+  std::uint32_t steps = 4;
   std::uint64_t seed = 0;
   int threads = tbb::info::default_concurrency();
 };
@@ -45,7 +48,7 @@ std::pair<int, int> parse_size(const std::string& text) {
 
 void add_options(CLI::App& app, Options& options) {
   app.add_option("scene", options.scene, "Scene file (a subset of Mitsuba 0.5's XML)")->required();
-  auto* map = app.add_option("--map", options.map, "How to sample the light: " + wavefront::light_sampling_names())
+  auto* map = app.add_option("--map", options.map, "How to sample lights: " + wavefront::light_sampling_names())
                   ->capture_default_str();
   app.add_option("--compare", options.compare, "Render a reference and these maps, separated by commas")
       ->delimiter(',')
@@ -61,8 +64,14 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--sampler", options.sampler, "zero_two or random")
       ->check(CLI::IsMember({"zero_two", "random"}))
       ->capture_default_str();
-  app.add_option("--choose", options.choose, "What a mesh light's triangles are chosen by: solid-angle or power")
-      ->check(CLI::IsMember({"solid-angle", "power"}))
+  app.add_option("--choose", options.choose, "What lights are chosen by: " + wavefront::choice_names())
+      ->capture_default_str();
+  app.add_option("--strategy", options.strategy, "Where directions come from: " + wavefront::strategy_names())
+      ->capture_default_str();
+  app.add_option("--media", options.media, "Where on a ray a medium is sampled: " + wavefront::media_names())
+      ->capture_default_str();
+  app.add_option("--steps", options.steps, "Steps of a march through a medium")
+      ->check(CLI::Range(1, 1 << 10))
       ->capture_default_str();
   app.add_option("--seed", options.seed, "Seed of the light samples")->capture_default_str();
   app.add_option("--threads", options.threads, "Threads")->check(CLI::Range(1, 4096))->capture_default_str();
@@ -73,9 +82,8 @@ void run(const Options& options) {
                                     static_cast<std::size_t>(options.threads));
   wavefront::Comparison comparison;
   comparison.scene_name = options.scene;
-  const auto choice = options.choose == "power" ? wavefront::Choice::power : wavefront::Choice::solid_angle;
   for (const std::string& map : options.compare.empty() ? std::vector{options.map} : options.compare)
-    comparison.samplings.push_back(wavefront::light_sampling(map, choice));
+    comparison.samplings.push_back(wavefront::light_sampling(map));
   comparison.reference_spp = options.compare.empty() ? 0 : options.reference_spp;
   comparison.out = options.out;
 
@@ -90,6 +98,10 @@ void run(const Options& options) {
       .width = own_size ? options.size.first : scene.width,
       .height = own_size ? options.size.second : scene.height,
       .spp = options.spp > 0 ? options.spp : scene.samples_per_pixel,
+      .choice = wavefront::choice_named(options.choose),
+      .strategy = wavefront::strategy_named(options.strategy),
+      .media = wavefront::media_named(options.media),
+      .steps = options.steps,
       .sampler = options.sampler == "random" ? wavefront::SamplerKind::random : wavefront::SamplerKind::zero_two,
       .seed = options.seed};
   std::filesystem::create_directories(comparison.out);

@@ -3,6 +3,7 @@
 #include <tiny_obj_loader.h>
 
 #include <map>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -93,6 +94,23 @@ Mesh make_rectangle(const M44d& to_world) {
   return mesh;
 }
 
+Mesh make_cube(const M44d& to_world) {
+  using Imath::V3d;
+  const V3d sides[6] = {{90, 0, 0}, {-90, 0, 0}, {0, 90, 0}, {0, -90, 0}, {0, 0, 0}, {180, 0, 0}};
+  Mesh mesh;
+  for (const V3d& turn : sides) {
+    M44d side;
+    side.setTranslation(V3d(0, 0, 1));
+    side *= M44d().setEulerAngles(turn * (std::numbers::pi / 180));
+    const Mesh face = make_rectangle(side * to_world);
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const auto& [a, b, c] : face.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
+    mesh.positions.insert(mesh.positions.end(), face.positions.begin(), face.positions.end());
+    mesh.normals.insert(mesh.normals.end(), face.normals.begin(), face.normals.end());
+  }
+  return mesh;
+}
+
 hatbox::Rectangle rectangle_light(const M44d& to_world) {
   const V3f corner = transform_point({-1, -1, 0}, to_world);
   V3f edges[2];
@@ -104,13 +122,16 @@ hatbox::Rectangle rectangle_light(const M44d& to_world) {
 
 MeshLight mesh_light(const Mesh& mesh) {
   MeshLight light;
-  for (const auto& [a, b, c] : mesh.triangles) {
+  for (std::uint32_t index = 0; index < mesh.triangles.size(); ++index) {
+    const auto& [a, b, c] = mesh.triangles[index];
     const V3f &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
     hatbox::Triangle triangle{to_vec3(p), to_vec3(q), to_vec3(r)};
     const bool turned =
         !mesh.normals.empty() && (q - p).cross(r - p).dot(mesh.normals[a] + mesh.normals[b] + mesh.normals[c]) < 0;
     if (turned) std::swap(triangle.b, triangle.c);
-    if (hatbox::check(triangle).empty()) light.triangles.push_back(triangle);
+    if (!hatbox::check(triangle).empty()) continue;
+    light.triangles.push_back(triangle);
+    light.of_mesh.push_back(index);
   }
   return light;
 }

@@ -1,4 +1,4 @@
-// Triangle meshes: Wavefront OBJ files and the rectangle; both as lights.
+// Triangle meshes: Wavefront OBJ files, the rectangle and the cube; the first two as lights.
 #pragma once
 
 #include "scene.h"
@@ -14,7 +14,10 @@ Mesh load_obj(const std::filesystem::path& path, const Imath::M44d& to_world, bo
 /// [-1, 1]² in the plane z = 0, facing +z.
 Mesh make_rectangle(const Imath::M44d& to_world);
 
-/// The same as a light; not checked. A mirroring transform turns the rectangle, not its normal.
+/// [-1, 1]³, facing outwards.
+Mesh make_cube(const Imath::M44d& to_world);
+
+/// The rectangle as a light; not checked. A mirroring transform turns the rectangle, not its normal.
 hatbox::Rectangle rectangle_light(const Imath::M44d& to_world);
 
 /// The triangles of a mesh, without those that cannot be lights. Their front is that of the mesh's normals, if it has

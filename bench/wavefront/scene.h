@@ -1,4 +1,4 @@
-// What the reader makes of a scene file and the renderer works on: shapes in world space, lights, the view.
+// What the reader makes of a scene file and the renderer works on: shapes in world space, lights, fog, the view.
 #pragma once
 
 #include <hatbox/hatbox.h>
@@ -35,23 +35,38 @@ struct Mesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
+using Geometry = std::variant<Sphere, hatbox::Disk, hatbox::Ellipse, Mesh>;
+
 /// A Lambertian surface. Flat ones scatter on the side of their normal only.
 struct Shape {
-  std::variant<Sphere, hatbox::Disk, Mesh> geometry;
+  Geometry geometry;
   Rgb reflectance;
   std::optional<std::size_t> emitter;  // index into Scene::emitters
 };
 
 struct MeshLight {
   std::vector<hatbox::Triangle> triangles;  // at least one; valid, and turned so that the cosine is > 0 in front
+  std::vector<std::uint32_t> of_mesh;       // which of the mesh's triangles each is
 };
 
-using Light = std::variant<hatbox::Disk, hatbox::Rectangle, MeshLight>;
+using Light = std::variant<hatbox::Disk, hatbox::Ellipse, hatbox::Rectangle, MeshLight>;
 
 struct Emitter {
   Light light;
   Rgb radiance;
   bool double_sided;
+};
+
+/// A homogeneous medium, which fills all of space or a body: the unit ball or the cube [-1, 1]³, transformed.
+struct Medium {
+  struct Body {
+    bool ball;
+    Imath::M44d to_local;
+  };
+
+  Rgb sigma_s, sigma_a;  // scattering and absorption, per unit of length
+  float g = 0;           // mean cosine of the phase function (Henyey and Greenstein 1941); 0: isotropic
+  std::optional<Body> body;
 };
 
 /// A perspective camera, which looks along +z of its own space with +x to the left of the picture and +y up.
@@ -64,6 +79,7 @@ struct View {
 struct Scene {
   std::vector<Shape> shapes;
   std::vector<Emitter> emitters;
+  std::optional<Medium> medium;
   bool hide_emitters = false;  // then a light's own shape stops neither camera rays nor shadow rays
   View view;
   int width = 768;

@@ -1,283 +1,125 @@
 #include "wavefront.h"
 
-#include "camera.h"
+#include "camera_stage.h"
+#include "light_stage.h"
+#include "medium_stage.h"
 #include "progress.h"
-#include "queues.h"
+#include "scatter_stage.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
-#include <bit>
 #include <chrono>
-#include <limits>
-#include <numbers>
 #include <stdexcept>
 
 namespace wavefront {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+constexpr std::size_t lanes_per_block = 4096;  // a block is one task of the camera and film stages …
+constexpr std::size_t blocks_per_chunk = 32;   // … and a chunk fills the queues once: about 20 MB
 
-constexpr unsigned packet = 16;
-constexpr std::size_t lanes_per_block = 4096;          // a block is one task of the camera and film stages …
-constexpr std::size_t blocks_per_chunk = 32;           // … and a chunk fills the queues once: about 10 MB
-constexpr float just_before_the_light = 1 - 0x1p-13f;  // so that a visible light does not shadow itself
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-struct Block {
-  std::size_t first_hit, hits;
-};
-
-std::size_t pixels_per_block(const RenderSettings& settings) {
+void check(const RenderSettings& settings, const Scene& scene) {
   if (settings.width < 1 || settings.height < 1) throw std::invalid_argument("the picture has no pixels");
-  const std::size_t lanes_per_pixel = std::size_t{settings.spp} * settings.light_samples;
-  if (lanes_per_pixel == 0) throw std::invalid_argument("a pixel needs at least one sample");
-  return std::max<std::size_t>(1, lanes_per_block / lanes_per_pixel);
+  if (settings.spp == 0 || settings.light_samples == 0)
+    throw std::invalid_argument("a pixel needs at least one sample");
+  if (settings.steps == 0) throw std::invalid_argument("a march needs at least one step");
+  check_suits(settings.sampling, scene);
+}
+
+/// The most that any stage takes.
+std::uint32_t samples_per_path(const Scene& scene, const RenderSettings& settings) {
+  return scene.medium ? settings.medium_samples() : settings.light_samples;
 }
 
 class Renderer {
  public:
-  Renderer(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
+  Renderer(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings)
+      : lights_(scene),
+        settings_(settings),
+        sampler_(settings.sampler, settings.spp * samples_per_path(scene, settings)),
+        stage_{scene, tracer, lights_, settings_, sampler_},
+        pixels_per_block_(
+            std::max<std::size_t>(1, lanes_per_block / (settings.spp * samples_per_path(scene, settings)))),
+        camera_(stage_, pixels_per_block_),
+        medium_(stage_),
+        light_(stage_),
+        scatter_(stage_),
+        result_{Image(settings.width, settings.height)} {}
+
   Render run(const std::string& label);
 
  private:
-  std::size_t pixels_in(std::size_t block) const;
-  std::size_t paths_before(std::size_t block) const { return block * pixels_per_block_ * settings_.spp; }
+  void render_chunk();
+  void gather(const VertexQueue& vertices, std::uint32_t k);
+  void add_to_film(const VertexQueue& vertices);
 
-  V3f camera_direction(std::size_t path) const;
-  void trace_camera_rays(std::size_t block);
-  void trace_camera_packet(std::size_t first_path, unsigned lanes, Block& block);
-  void take_hit(const SurfacePoint& point, std::size_t path, Block& block);
-  void queue_hit(const SurfacePoint& point, std::size_t path, Block& block);
-  void close_gaps();
-  void draw_variates(std::size_t emitter, std::size_t begin, std::size_t end);
-  void sample_light(const Emitter& emitter);
-  void trace_shadow_rays(const Emitter& emitter, std::size_t first, unsigned lanes);
-  void add_to_film(std::size_t block);
-  void light_hits();
-
-  std::size_t pixel_of(std::size_t path) const { return first_pixel_ + path / settings_.spp; }
-
-  const Scene& scene_;
-  const RayTracer& tracer_;
+  const LightTable lights_;
   const RenderSettings settings_;
-  const Camera camera_;
-  const Sampler camera_sampler_;
-  const Sampler light_sampler_;
+  const Sampler sampler_;
+  Stage stage_;
   const std::size_t pixels_per_block_;
+  const CameraStage camera_;
+  MediumStage medium_;
+  LightStage light_;
+  ScatterStage scatter_;
 
-  std::size_t first_pixel_ = 0;  // of the chunk
-  std::vector<Block> blocks_;
-  HitQueue hits_;
-  LightQueue light_;
-  std::vector<Rgb> irradiance_;  // of the hits, times light_samples
+  RayQueue rays_;
+  VertexQueue vertices_, fog_vertices_;
+  ConnectionQueue samples_;
+  std::vector<Rgb> radiance_;  // of the vertices, times k
   Render result_;
 };
 
-Renderer::Renderer(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings)
-    : scene_(scene),
-      tracer_(tracer),
-      settings_(settings),
-      camera_(scene.view, settings.width, settings.height),
-      camera_sampler_(settings.sampler, std::bit_ceil(settings.spp)),
-      light_sampler_(settings.sampler, settings.spp * settings.light_samples),
-      pixels_per_block_(pixels_per_block(settings)),
-      blocks_(blocks_per_chunk),
-      result_{Image(settings.width, settings.height)} {
-  check_suits(settings.sampling, scene);
-}
-
 Render Renderer::run(const std::string& label) {
-  const auto start = Clock::now();
+  const auto start = std::chrono::steady_clock::now();
   const std::size_t pixels = result_.image.pixels.size();
+  const std::size_t pixels_per_chunk = blocks_per_chunk * pixels_per_block_;
   Progress progress(label, pixels);
-  for (first_pixel_ = 0; first_pixel_ < pixels; first_pixel_ += blocks_per_chunk * pixels_per_block_) {
-    hits_.resize(paths_before(blocks_per_chunk));
-    tbb::parallel_for(std::size_t{0}, blocks_per_chunk, [&](std::size_t block) { trace_camera_rays(block); });
-    close_gaps();
-    light_hits();
-    tbb::parallel_for(std::size_t{0}, blocks_per_chunk, [&](std::size_t block) { add_to_film(block); });
-    progress.advance(std::min(blocks_per_chunk * pixels_per_block_, pixels - first_pixel_));
+  for (; stage_.first_pixel < pixels; stage_.first_pixel += pixels_per_chunk) {
+    render_chunk();
+    progress.advance(std::min(pixels_per_chunk, pixels - stage_.first_pixel));
   }
-  result_.seconds = seconds_since(start);
+  result_.light_samples = light_.samples_taken;
+  result_.light_seconds = light_.seconds;
+  result_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return std::move(result_);
 }
 
-std::size_t Renderer::pixels_in(std::size_t block) const {
-  const std::size_t first = std::min(first_pixel_ + block * pixels_per_block_, result_.image.pixels.size());
-  return std::min(pixels_per_block_, result_.image.pixels.size() - first);
+void Renderer::render_chunk() {
+  camera_.trace(blocks_per_chunk, vertices_, rays_, result_.image);
+  gather(vertices_, settings_.light_samples);
+  if (!stage_.scene.medium) return;
+  medium_.place(rays_, light_.choice(), fog_vertices_, samples_);
+  gather(fog_vertices_, 1);
 }
 
-void Renderer::trace_camera_rays(std::size_t block) {
-  const std::size_t begin = paths_before(block);
-  const std::size_t end = begin + pixels_in(block) * settings_.spp;
-  blocks_[block] = {begin, 0};
-  for (std::size_t path = begin; path < end; path += packet)
-    trace_camera_packet(path, static_cast<unsigned>(std::min<std::size_t>(packet, end - path)), blocks_[block]);
-}
-
-V3f Renderer::camera_direction(std::size_t path) const {
-  constexpr std::uint64_t camera_seed = 0x63616d657261;  // no setting enters: see RenderSettings
-  const std::size_t pixel = pixel_of(path);
-  const std::size_t column = pixel % static_cast<std::size_t>(settings_.width);
-  const std::size_t row = pixel / static_cast<std::size_t>(settings_.width);
-  const std::uint64_t key = hash(camera_seed, pixel);
-  // Shuffled, or the sample of the light would be a function of the place in the pixel.
-  const auto index_bits = static_cast<int>(std::bit_width(settings_.spp - 1));
-  const auto index = shuffle_index(static_cast<std::uint32_t>(path % settings_.spp), index_bits, ~key);
-  const Sample2 place = camera_sampler_(key, index);
-  return camera_.direction(static_cast<float>(column) + place.x, static_cast<float>(row) + place.y);
-}
-
-void Renderer::trace_camera_packet(std::size_t first_path, unsigned lanes, Block& block) {
-  alignas(64) int valid[packet] = {};
-  RTCRayHit16 rays = {};
-  for (unsigned lane = 0; lane < lanes; ++lane) {
-    const V3f direction = camera_direction(first_path + lane);
-    valid[lane] = -1;
-    rays.ray.org_x[lane] = camera_.origin().x;
-    rays.ray.org_y[lane] = camera_.origin().y;
-    rays.ray.org_z[lane] = camera_.origin().z;
-    rays.ray.dir_x[lane] = direction.x;
-    rays.ray.dir_y[lane] = direction.y;
-    rays.ray.dir_z[lane] = direction.z;
-    rays.ray.tfar[lane] = std::numeric_limits<float>::infinity();
-    rays.ray.mask[lane] = ~0u;
-    rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+void Renderer::gather(const VertexQueue& vertices, std::uint32_t k) {
+  const bool surface = vertices.scattering.surface;
+  radiance_.assign(vertices.size(), Rgb(0.0f));
+  if (settings_.samples_lights()) {
+    const bool sampled = !surface && settings_.media_used() == Media::area_first;  // along with their places
+    if (!sampled) light_.sample(vertices, surface ? Dimension::light : Dimension::medium_light, k, samples_);
+    light_.trace_shadow_rays(vertices, samples_, radiance_);
   }
-  tracer_.intersect(valid, rays);
-  for (unsigned lane = 0; lane < lanes; ++lane)
-    if (const auto point = tracer_.surface(rays, lane)) take_hit(*point, first_path + lane, block);
+  if (settings_.samples_scattering())
+    scatter_.add(vertices, surface ? Dimension::scattering : Dimension::medium_scattering, k, light_, samples_,
+                 radiance_);
+  add_to_film(vertices);
 }
 
-void Renderer::take_hit(const SurfacePoint& point, std::size_t path, Block& block) {
-  if (point.shape->emitter) {
-    const Emitter& emitter = scene_.emitters[*point.shape->emitter];
-    if (point.front || emitter.double_sided)
-      result_.image.pixels[pixel_of(path)] += emitter.radiance / static_cast<float>(settings_.spp);
-  }
-  if (point.outside) queue_hit(point, path, block);
-}
-
-void Renderer::queue_hit(const SurfacePoint& point, std::size_t path, Block& block) {
-  const std::size_t i = block.first_hit + block.hits++;
-  hits_.x[i] = point.position.x;
-  hits_.y[i] = point.position.y;
-  hits_.z[i] = point.position.z;
-  hits_.normal_x[i] = point.normal.x;
-  hits_.normal_y[i] = point.normal.y;
-  hits_.normal_z[i] = point.normal.z;
-  hits_.origin_x[i] = point.shadow_origin.x;
-  hits_.origin_y[i] = point.shadow_origin.y;
-  hits_.origin_z[i] = point.shadow_origin.z;
-  hits_.path[i] = static_cast<std::uint32_t>(path);
-  hits_.shape[i] = point.shape;
-}
-
-/// Each block has queued its hits where its paths begin; now they move together. Most scenes fill the picture, so there
-/// is little to move and no use in doing it in parallel.
-void Renderer::close_gaps() {
-  std::size_t end = 0;
-  for (Block& block : blocks_) {
-    if (block.first_hit != end) hits_.move(block.first_hit, end, block.hits);
-    block.first_hit = end;
-    end += block.hits;
-  }
-  hits_.resize(end);
-}
-
-void Renderer::light_hits() {
-  const std::size_t n = hits_.size();
-  irradiance_.assign(n, Rgb(0.0f));
-  light_.resize(n * settings_.light_samples);
-  if (n == 0) return;
-  for (std::size_t emitter = 0; emitter < scene_.emitters.size(); ++emitter) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, packet),
-                      [&](const auto& range) { draw_variates(emitter, range.begin(), range.end()); });
-    sample_light(scene_.emitters[emitter]);
-    tbb::parallel_for(std::size_t{0}, (n + packet - 1) / packet, [&](std::size_t i) {
-      const std::size_t first = i * packet;
-      trace_shadow_rays(scene_.emitters[emitter], first,
-                        static_cast<unsigned>(std::min<std::size_t>(packet, n - first)));
-    });
-  }
-}
-
-/// The k samples of a hit are k consecutive points of its pixel's sequence: a net by themselves, and together with
-/// those of the pixel's other hits.
-void Renderer::draw_variates(std::size_t emitter, std::size_t begin, std::size_t end) {
-  const std::size_t n = hits_.size();
-  const std::uint64_t seed = hash(settings_.seed, emitter);
-  for (std::size_t i = begin; i < end; ++i) {
-    const std::uint64_t key = hash(seed, pixel_of(hits_.path[i]));
-    const std::uint32_t first = hits_.path[i] % settings_.spp * settings_.light_samples;
-    for (std::uint32_t j = 0; j < settings_.light_samples; ++j) {
-      const Sample2 sample = light_sampler_(key, first + j);
-      light_.u[j * n + i] = sample.x;
-      light_.v[j * n + i] = sample.y;
-    }
-  }
-}
-
-void Renderer::sample_light(const Emitter& emitter) {
-  const hatbox::Points points{hits_.x, hits_.y, hits_.z};
-  const hatbox::Variates variates{light_.u, light_.v};
-  hatbox::Samples samples{light_.x, light_.y, light_.z, light_.distance, light_.pdf};
-  if (!emitter.double_sided) samples.cosine = light_.cosine;
-  const auto start = Clock::now();
-  settings_.sampling.sample(emitter.light, points, variates, samples);
-  result_.light_seconds += seconds_since(start);
-  result_.light_samples += light_.u.size();
-}
-
-void Renderer::trace_shadow_rays(const Emitter& emitter, std::size_t first, unsigned lanes) {
-  const std::size_t n = hits_.size();
-  alignas(64) int valid[packet] = {};
-  float weight[packet];
-  float sum[packet] = {};
-  RTCRay16 rays = {};
-  for (unsigned lane = 0; lane < lanes; ++lane) {
-    rays.org_x[lane] = hits_.origin_x[first + lane];
-    rays.org_y[lane] = hits_.origin_y[first + lane];
-    rays.org_z[lane] = hits_.origin_z[first + lane];
-    rays.mask[lane] = ~0u;
-  }
-  for (std::size_t j = 0; j < settings_.light_samples; ++j) {
-    bool any = false;
-    for (unsigned lane = 0; lane < lanes; ++lane) {
-      const std::size_t i = first + lane;
-      const std::size_t sample = j * n + i;
-      rays.dir_x[lane] = light_.x[sample];
-      rays.dir_y[lane] = light_.y[sample];
-      rays.dir_z[lane] = light_.z[sample];
-      rays.tfar[lane] = light_.distance[sample] * just_before_the_light;
-      const float cosine = rays.dir_x[lane] * hits_.normal_x[i] + rays.dir_y[lane] * hits_.normal_y[i] +
-                           rays.dir_z[lane] * hits_.normal_z[i];
-      const bool lit = light_.pdf[sample] > 0 && cosine > 0 && (emitter.double_sided || light_.cosine[sample] > 0);
-      valid[lane] = lit ? -1 : 0;
-      weight[lane] = lit ? cosine / light_.pdf[sample] : 0;
-      any |= lit;
-    }
-    if (!any) continue;
-    tracer_.occluded(valid, rays);
-    for (unsigned lane = 0; lane < lanes; ++lane) sum[lane] += rays.tfar[lane] >= 0 ? weight[lane] : 0;
-  }
-  for (unsigned lane = 0; lane < lanes; ++lane) irradiance_[first + lane] += emitter.radiance * sum[lane];
-}
-
-void Renderer::add_to_film(std::size_t block) {
-  const float scale =
-      std::numbers::inv_pi_v<float> / (static_cast<float>(settings_.spp) * static_cast<float>(settings_.light_samples));
-  const Block& hits = blocks_[block];
-  for (std::size_t i = hits.first_hit; i < hits.first_hit + hits.hits; ++i)
-    result_.image.pixels[pixel_of(hits_.path[i])] += hits_.shape[i]->reflectance * irradiance_[i] * scale;
+/// A path has one vertex on a surface, or as many in the medium as samples: k samples either way.
+void Renderer::add_to_film(const VertexQueue& vertices) {
+  const float scale = 1 / (static_cast<float>(settings_.spp) * static_cast<float>(settings_.light_samples));
+  tbb::parallel_for(std::size_t{0}, vertices.blocks.size(), [&](std::size_t block) {
+    const Range range = vertices.blocks[block];
+    for (std::size_t i = range.first; i < range.first + range.count; ++i)
+      result_.image.pixels[stage_.pixel_of(vertices.path[i])] += vertices.throughput[i] * radiance_[i] * scale;
+  });
 }
 
 }  // namespace
 
 Render render(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings, const std::string& label) {
+  check(settings, scene);
   return Renderer(scene, tracer, settings).run(label);
 }
 

@@ -43,6 +43,15 @@ void XmlElement::fail(const std::string& what) const {
   throw SceneError(source_->path.string() + ":" + std::to_string(line()) + ": <" + std::string(tag()) + ">: " + what);
 }
 
+void XmlElement::expect_type(std::initializer_list<std::string_view> known) const {
+  std::string list;
+  for (const std::string_view candidate : known) {
+    if (type() == candidate) return;
+    list += (list.empty() ? "" : ", ") + std::string(candidate);
+  }
+  fail("unknown type '" + std::string(type()) + "' (known: " + list + ")");
+}
+
 std::string XmlElement::text(const char* attribute) const {
   if (!has(attribute)) fail(std::string("attribute '") + attribute + "' is missing");
   return node_.attribute(attribute).value();

@@ -33,6 +33,7 @@ class XmlElement {
   V3f vector(double fallback) const;  // x="" y="" z=""
   std::size_t line() const;
   [[noreturn]] void fail(const std::string& what) const;
+  void expect_type(std::initializer_list<std::string_view> known) const;
 
   /// Its child elements, in order. A tag that is neither a property nor `allowed` is an error.
   std::vector<XmlElement> children(std::initializer_list<std::string_view> allowed) const;
