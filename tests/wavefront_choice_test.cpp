@@ -64,7 +64,7 @@ struct Sampled {
   const LightTable lights{scene};
   const RenderSettings settings;
   const Sampler sampler{SamplerKind::random, k};
-  const Stage stage{scene, tracer, lights, settings, sampler};
+  const Stage stage{scene, tracer, lights, settings, sampler, 1};
   VertexQueue vertices;
   ConnectionQueue samples;
   LightStage stage_of_lights{stage};

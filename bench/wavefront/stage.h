@@ -16,7 +16,8 @@ struct Stage {
   const RayTracer& tracer;
   const LightTable& lights;
   const RenderSettings& settings;
-  const Sampler& sampler;       // for as many samples a pixel as any stage takes
+  const Sampler& sampler;  // for 2^index_bits samples a pixel, no fewer than any stage takes
+  int index_bits;
   std::size_t first_pixel = 0;  // of the chunk of the picture at work
 
   std::size_t pixel_of(std::size_t path) const { return first_pixel + path / settings.spp; }
@@ -24,7 +25,10 @@ struct Stage {
   /// Of one pixel; `index` counts the samples of all its camera paths.
   Sample2 variate(Dimension dimension, std::size_t path, std::uint32_t index) const {
     const std::uint64_t seed = hash(settings.seed, static_cast<std::uint64_t>(dimension));
-    return sampler(hash(seed, pixel_of(path)), index);
+    const std::uint64_t key = hash(seed, pixel_of(path));
+    // Shuffled, or the direction would be a function of the distance at which it begins.
+    const bool follows_distance = dimension == Dimension::medium_light || dimension == Dimension::medium_scattering;
+    return sampler(key, follows_distance ? shuffle_index(index, index_bits, ~key) : index);
   }
 };
 

@@ -8,6 +8,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <bit>
 #include <chrono>
 #include <stdexcept>
 
@@ -25,9 +26,8 @@ void check(const RenderSettings& settings, const Scene& scene) {
   check_suits(settings.sampling, scene);
 }
 
-/// The most that any stage takes.
-std::uint32_t samples_per_path(const Scene& scene, const RenderSettings& settings) {
-  return scene.medium ? settings.medium_samples() : settings.light_samples;
+std::uint32_t samples_per_pixel(const Scene& scene, const RenderSettings& settings) {
+  return settings.spp * (scene.medium ? settings.medium_samples() : settings.light_samples);
 }
 
 class Renderer {
@@ -35,10 +35,10 @@ class Renderer {
   Renderer(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings)
       : lights_(scene),
         settings_(settings),
-        sampler_(settings.sampler, settings.spp * samples_per_path(scene, settings)),
-        stage_{scene, tracer, lights_, settings_, sampler_},
-        pixels_per_block_(
-            std::max<std::size_t>(1, lanes_per_block / (settings.spp * samples_per_path(scene, settings)))),
+        sampler_(settings.sampler, std::bit_ceil(samples_per_pixel(scene, settings))),
+        stage_{scene,     tracer,   lights_,
+               settings_, sampler_, static_cast<int>(std::bit_width(samples_per_pixel(scene, settings) - 1))},
+        pixels_per_block_(std::max<std::size_t>(1, lanes_per_block / samples_per_pixel(scene, settings))),
         camera_(stage_, pixels_per_block_),
         medium_(stage_),
         light_(stage_),
