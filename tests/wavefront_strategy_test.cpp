@@ -89,6 +89,13 @@ TEST(Strategy, mis_helps_next_to_a_large_light) {
   EXPECT_LT(variance(Strategy::mis, 8), 0.5 * variance(Strategy::light, 16));  // as many samples in all
 }
 
+TEST(Strategy, mis_needs_a_density) {
+  const Scene scene = parse(patch_under(light("\"disk\">", ""), true));
+  RenderSettings settings = settings_of(Strategy::mis);
+  settings.sampling = light_sampling("auto");
+  EXPECT_THROW(mean_of(scene, settings), std::invalid_argument);
+}
+
 TEST(Strategy, the_same_seed_makes_the_same_picture) {
   const Scene scene = parse(patch_under(stack, true));
   const RayTracer tracer(scene);

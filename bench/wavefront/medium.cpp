@@ -46,8 +46,7 @@ Interval inside(const Medium& medium, const V3f& origin, const V3f& direction, f
     return {static_cast<float>(std::max(range.begin, 0.0)), std::min(end, static_cast<float>(range.end))};
   }
   // Nothing that float can tell comes through more than 104 mean free paths: e^-104 is the smallest number there is.
-  const Rgb extinction = medium.sigma_s + medium.sigma_a;
-  return {0, std::min(end, 104 / std::min({extinction.x, extinction.y, extinction.z}))};
+  return {0, std::min(end, 104 / lowest_extinction(medium))};
 }
 
 Rgb transmittance(const Medium& medium, float length) {
@@ -63,9 +62,9 @@ Rgb transmittance(const std::optional<Medium>& medium, const V3f& origin, const 
   return transmittance(*medium, std::max(part.end - part.begin, 0.0f));
 }
 
-float mean_extinction(const Medium& medium) {
+float lowest_extinction(const Medium& medium) {
   const Rgb extinction = medium.sigma_s + medium.sigma_a;
-  return (extinction.x + extinction.y + extinction.z) / 3;
+  return std::min({extinction.x, extinction.y, extinction.z});
 }
 
 }  // namespace wavefront

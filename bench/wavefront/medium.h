@@ -18,7 +18,7 @@ Rgb transmittance(const Medium& medium, float length);
 /// One where there is no medium.
 Rgb transmittance(const std::optional<Medium>& medium, const V3f& origin, const V3f& direction, float distance);
 
-/// Of the channels together, by which distances are sampled.
-float mean_extinction(const Medium& medium);
+/// Of the channel that reaches farthest.
+float lowest_extinction(const Medium& medium);
 
 }  // namespace wavefront

@@ -46,28 +46,36 @@ void MediumStage::add(const Place& place, std::size_t block, VertexQueue& vertic
   vertices.light[i] = place.light;
 }
 
-/// Steps that are equally long would hardly meet what matters of a ray that leaves for the horizon.
+/// Steps that are equally long would hardly meet what matters of a ray that leaves for the horizon: these divide what
+/// the ray loses in the channel that reaches farthest, so that no weight grows along it.
 void MediumStage::march(const RayQueue& rays, VertexQueue& vertices) const {
-  const Medium& medium = *stage_.scene.medium;
-  const float sigma = mean_extinction(medium);
+  const float sigma = lowest_extinction(*stage_.scene.medium);
   tbb::parallel_for(std::size_t{0}, rays.blocks.size(), [&](std::size_t block) {
     const Range range = rays.blocks[block];
     for (std::size_t ray = range.first; ray < range.first + range.count; ++ray) {
+      const V3f direction = rays.direction[ray];
       const float length = rays.end[ray] - rays.begin[ray];
       const float loss = -std::expm1(-sigma * length);
       for (std::uint32_t j = 0; j < count_; ++j) {
         const Sample2 sample = stage_.variate(Dimension::distance, rays.path[ray], sequence(rays.path[ray], j));
         const float u = (static_cast<float>(j) + sample.x) / static_cast<float>(count_);
         const float x = loss > 0 ? std::min(-std::log1p(-u * loss) / sigma, length) : u * length;
-        const float pdf = loss > 0 ? sigma * (1 - u * loss) / loss : 1 / length;
-        const V3f direction = rays.direction[ray];
-        const Rgb throughput =
-            medium.sigma_s * transmittance(medium, x) / (pdf * static_cast<float>(stage_.settings.steps));
-        add({rays.origin[ray] + direction * (rays.begin[ray] + x), direction, throughput, rays.path[ray], j, any_light},
+        add({rays.origin[ray] + direction * (rays.begin[ray] + x), direction, step_weight(x, loss, length),
+             rays.path[ray], j, any_light},
             block, vertices);
       }
     }
   });
+}
+
+/// Of a place `x` into the medium: its scattering and what comes from there to the camera, over the density of a march,
+/// which goes like the transmittance itself.
+Rgb MediumStage::step_weight(float x, float loss, float length) const {
+  const Medium& medium = *stage_.scene.medium;
+  const float sigma = lowest_extinction(medium);
+  const Rgb rest = medium.sigma_s + medium.sigma_a - Rgb(sigma);
+  const Rgb through(std::exp(-rest.x * x), std::exp(-rest.y * x), std::exp(-rest.z * x));
+  return medium.sigma_s * through * ((loss > 0 ? loss / sigma : length) / static_cast<float>(stage_.settings.steps));
 }
 
 void MediumStage::repeat(const RayQueue& rays) {

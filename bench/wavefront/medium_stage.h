@@ -28,6 +28,7 @@ class MediumStage {
   };
 
   void march(const RayQueue& rays, VertexQueue& vertices) const;
+  Rgb step_weight(float x, float loss, float length) const;
   void repeat(const RayQueue& rays);
   void choose_lights(const LightChoice& choice);
   void choose_distances();

@@ -1,5 +1,6 @@
 #include "scene_reader.h"
 
+#include "medium.h"
 #include "shape_reader.h"
 #include "transform_reader.h"
 #include "xml_element.h"
@@ -13,11 +14,6 @@ namespace wavefront {
 namespace {
 
 using Imath::M44d;
-
-float lowest_extinction(const Medium& medium) {
-  const Rgb extinction = medium.sigma_s + medium.sigma_a;
-  return std::min({extinction.x, extinction.y, extinction.z});
-}
 
 class Reader {
  public:

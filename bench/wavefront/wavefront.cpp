@@ -23,6 +23,8 @@ void check(const RenderSettings& settings, const Scene& scene) {
   if (settings.spp == 0 || settings.light_samples == 0)
     throw std::invalid_argument("a pixel needs at least one sample");
   if (settings.steps == 0) throw std::invalid_argument("a march needs at least one step");
+  if (settings.strategy == Strategy::mis && settings.sampling.sample_disk)
+    throw std::invalid_argument("map '" + settings.sampling.name + "' tells no density of a direction: not for mis");
   check_suits(settings.sampling, scene);
 }
 
