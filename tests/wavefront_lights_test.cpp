@@ -164,7 +164,7 @@ TEST(Render, a_mesh_light_gives_the_irradiance_of_its_rectangle) {
   const Scene scene = parse(patch_under(obj(write_square(scratch), over_the_patch), true));
   for (const char* map : {"area", "spherical"}) {
     for (const Choice choice : {Choice::solid_angle, Choice::power, Choice::uniform}) {
-      SCOPED_TRACE(std::string(map) + ", choice " + std::to_string(static_cast<int>(choice)));
+      SCOPED_TRACE(std::string(map) + ", " + name(choice));
       expect_irradiance(scene, small_settings(map, choice));
     }
   }

@@ -87,7 +87,7 @@ void expect_known_radiance(const Scene& scene, const RenderSettings& settings, d
 TEST(Fog, every_way_to_sample_gives_the_integral) {
   const Scene scene = parse(scene_in("", in_fog, below_disk));
   for (const Media media : {Media::equiangular, Media::area_first, Media::march}) {
-    SCOPED_TRACE(static_cast<int>(media));
+    SCOPED_TRACE(name(media));
     expect_known_radiance(scene, settings_of(media), 0);
   }
 }
@@ -96,7 +96,7 @@ TEST(Fog, every_strategy_gives_the_integral) {
   const Scene scene = parse(scene_in("", in_fog, below_disk));
   for (const Media media : {Media::equiangular, Media::march})
     for (const Strategy strategy : {Strategy::bsdf, Strategy::mis}) {
-      SCOPED_TRACE(testing::Message() << static_cast<int>(media) << ", " << static_cast<int>(strategy));
+      SCOPED_TRACE(testing::Message() << name(media) << ", " << name(strategy));
       RenderSettings settings = settings_of(media, strategy);
       settings.light_samples = 128;  // few scattering rays meet a light
       expect_known_radiance(scene, settings, 0);
@@ -119,7 +119,7 @@ TEST(Fog, fills_its_body_only) {
   const std::string cube = R"(<shape type="cube"><transform name="toWorld"><scale value="10"/><translate y="-7"/>
     </transform><ref name="interior" id="fog"/></shape>)";  // up to a height of 3: a quarter of the ray is above
   for (const Media media : {Media::equiangular, Media::area_first, Media::march}) {
-    SCOPED_TRACE(static_cast<int>(media));
+    SCOPED_TRACE(name(media));
     expect_known_radiance(parse(scene_in(cube, "", below_disk)), settings_of(media), 1.25);
   }
 }
@@ -141,7 +141,7 @@ TEST(Fog, every_way_to_sample_agrees_for_many_lights) {
   const PictureMean march = mean_of(scene, settings_of(Media::march));
   for (const Media media : {Media::equiangular, Media::area_first})
     for (const Choice choice : {Choice::solid_angle, Choice::power, Choice::uniform}) {
-      SCOPED_TRACE(testing::Message() << static_cast<int>(media) << ", " << static_cast<int>(choice));
+      SCOPED_TRACE(testing::Message() << name(media) << ", " << name(choice));
       RenderSettings settings = settings_of(media);
       settings.choice = choice;
       settings.light_samples = 32;

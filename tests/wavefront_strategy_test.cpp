@@ -34,7 +34,7 @@ RenderSettings settings_of(Strategy strategy, Choice choice = Choice::solid_angl
 void expect_strategies_agree(const Scene& scene) {
   const PictureMean by_light = mean_of(scene, settings_of(Strategy::light));
   for (const Strategy strategy : {Strategy::bsdf, Strategy::mis}) {
-    SCOPED_TRACE(strategy == Strategy::bsdf ? "bsdf" : "mis");
+    SCOPED_TRACE(name(strategy));
     expect_agreement(mean_of(scene, settings_of(strategy)), by_light, 4e-3);
   }
 }

@@ -1,8 +1,7 @@
 #include "camera_stage.h"
 
 #include "medium.h"
-
-#include <tbb/parallel_for.h>
+#include "parallel.h"
 
 #include <bit>
 #include <limits>

@@ -69,6 +69,9 @@ void write_report(const Comparison& comparison, const std::vector<Row>& rows,
   report["isa"] = hatbox::name(hatbox::active_isa());
   report["width"] = comparison.settings.width;
   report["height"] = comparison.settings.height;
+  report["choose"] = name(comparison.settings.choice);
+  report["strategy"] = name(comparison.settings.strategy);
+  report["media"] = name(comparison.settings.media);
   if (reference)
     report["reference"] = {{"spp", reference->spp}, {"mse", reference->mse}, {"seconds", reference->seconds}};
   report["rows"] = nlohmann::ordered_json::array();

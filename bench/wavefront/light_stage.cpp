@@ -1,24 +1,14 @@
 #include "light_stage.h"
 
 #include "medium.h"
+#include "parallel.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 
 #include <chrono>
 
 namespace wavefront {
 namespace {
-
-constexpr float just_before_the_light = 1 - 0x1p-13f;  // so that a visible light does not shadow itself
-
-template <class Body>
-void in_parallel(std::size_t n, const Body& body) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 256), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
-  });
-}
 
 float weight_of(const LightFacts& light, const V3f& point, float solid_angle) {
   return light.shines_on(point) ? light.luminance * solid_angle : 0;
@@ -131,11 +121,8 @@ void LightStage::density(hatbox::Points points, hatbox::Directions directions, s
 
 void LightStage::trace_shadow_rays(const VertexQueue& vertices, const ConnectionQueue& samples,
                                    std::span<Rgb> radiance) const {
-  const std::size_t n = vertices.size();
-  tbb::parallel_for(std::size_t{0}, (n + packet - 1) / packet, [&](std::size_t i) {
-    const std::size_t first = i * packet;
-    trace_packet(vertices, samples, first, static_cast<unsigned>(std::min<std::size_t>(packet, n - first)), radiance);
-  });
+  for_each_packet(vertices.size(),
+                  [&](std::size_t first, unsigned lanes) { trace_packet(vertices, samples, first, lanes, radiance); });
 }
 
 void LightStage::trace_packet(const VertexQueue& vertices, const ConnectionQueue& samples, std::size_t first,

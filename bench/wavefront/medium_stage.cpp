@@ -1,9 +1,9 @@
 #include "medium_stage.h"
 
 #include "medium.h"
+#include "parallel.h"
 #include "ray_weights.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <cmath>
@@ -83,19 +83,17 @@ void MediumStage::repeat(const RayQueue& rays) {
   slots_.for_each_column([n](auto& column) { column.resize(n); });
   u_.resize(n);
   chosen_.resize(n, 1);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, rays.size(), 256), [&](const auto& range) {
-    for (std::size_t slot = range.begin() * count_; slot < range.end() * count_; ++slot) {
-      const std::size_t ray = slot / count_;
-      slots_.origin.set(slot, rays.origin[ray]);
-      slots_.direction.set(slot, rays.direction[ray]);
-      slots_.begin[slot] = rays.begin[ray];
-      slots_.end[slot] = rays.end[ray];
-      slots_.path[slot] = rays.path[ray];
-      const std::uint32_t index = sequence(rays.path[ray], static_cast<std::uint32_t>(slot % count_));
-      const Sample2 sample = stage_.variate(Dimension::distance, rays.path[ray], index);
-      u_[slot] = sample.x;
-      chosen_.u[slot] = sample.y;
-    }
+  in_parallel(n, [&](std::size_t slot) {
+    const std::size_t ray = slot / count_;
+    slots_.origin.set(slot, rays.origin[ray]);
+    slots_.direction.set(slot, rays.direction[ray]);
+    slots_.begin[slot] = rays.begin[ray];
+    slots_.end[slot] = rays.end[ray];
+    slots_.path[slot] = rays.path[ray];
+    const std::uint32_t index = sequence(rays.path[ray], static_cast<std::uint32_t>(slot % count_));
+    const Sample2 sample = stage_.variate(Dimension::distance, rays.path[ray], index);
+    u_[slot] = sample.x;
+    chosen_.u[slot] = sample.y;
   });
 }
 
@@ -114,19 +112,15 @@ void MediumStage::choose_distances() {
   const std::size_t n = u_.size();
   for (auto* columns : {&pivots_, &normals_}) columns->resize(n);
   for (auto* column : {&lit_begin_, &lit_end_, &distance_, &pdf_}) column->resize(n);
-  const auto for_each_slot = [&](const auto& body) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 256), [&](const auto& range) {
-      for (std::size_t slot = range.begin(); slot < range.end(); ++slot) body(slot, stage_.lights[chosen_.light[slot]]);
-    });
-  };
-  for_each_slot([&](std::size_t slot, const LightFacts& light) {
+  in_parallel(n, [&](std::size_t slot) {
+    const LightFacts& light = stage_.lights[chosen_.light[slot]];
     const auto index = sequence(slots_.path[slot], static_cast<std::uint32_t>(slot % count_));
     pivots_.set(slot, pivot(light, slots_.path[slot], index));
     normals_.set(slot, light.normal);
   });
   hatbox::parallel::equiangular::clip(slots_.segments(), pivots_.points(), normals_.directions(), lit_begin_, lit_end_);
-  for_each_slot([&](std::size_t slot, const LightFacts& light) {
-    if (!light.double_sided) return;
+  in_parallel(n, [&](std::size_t slot) {
+    if (!stage_.lights[chosen_.light[slot]].double_sided) return;
     lit_begin_[slot] = slots_.begin[slot];
     lit_end_[slot] = slots_.end[slot];
   });
@@ -155,7 +149,7 @@ void MediumStage::add_chosen(const RayQueue& rays, VertexQueue& vertices) const 
 /// The places on the lights that the distances were equiangular about become samples of the lights.
 void MediumStage::connect(const VertexQueue& vertices, ConnectionQueue& samples) const {
   samples.resize(vertices.size(), 1);
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
+  in_parallel(vertices.size(), [&](std::size_t i) {
     const LightFacts& light = stage_.lights[vertices.light[i]];
     const V3f way = pivot(light, vertices.path[i], vertices.sequence[i]) - vertices.position[i];
     const float distance = way.length();
@@ -167,7 +161,7 @@ void MediumStage::connect(const VertexQueue& vertices, ConnectionQueue& samples)
     samples.distance[i] = distance;
     samples.cosine[i] = cosine;
     samples.pdf[i] = cosine != 0 ? distance * distance / (light.area * std::abs(cosine)) : 0;
-  }
+  });
 }
 
 }  // namespace wavefront

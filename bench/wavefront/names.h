@@ -21,6 +21,10 @@ Choice choice_named(std::string_view name);
 Strategy strategy_named(std::string_view name);
 Media media_named(std::string_view name);
 
+const char* name(Choice choice);
+const char* name(Strategy strategy);
+const char* name(Media media);
+
 /// The names, separated by commas.
 std::string choice_names();
 std::string strategy_names();

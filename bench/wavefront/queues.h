@@ -13,8 +13,6 @@
 
 namespace wavefront {
 
-constexpr unsigned packet = 16;  // rays that Embree traces together
-
 struct Range {
   std::size_t first, count;
 };

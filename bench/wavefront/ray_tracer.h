@@ -13,6 +13,8 @@
 
 namespace wavefront {
 
+constexpr float just_before_the_light = 1 - 0x1p-13f;  // where a ray to it ends, as a visible one would shadow itself
+
 inline void set_origin(RTCRay16& rays, unsigned lane, const V3f& origin) {
   rays.org_x[lane] = origin.x;
   rays.org_y[lane] = origin.y;

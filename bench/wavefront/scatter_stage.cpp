@@ -1,8 +1,7 @@
 #include "scatter_stage.h"
 
 #include "medium.h"
-
-#include <tbb/parallel_for.h>
+#include "parallel.h"
 
 #include <limits>
 
@@ -10,15 +9,7 @@ namespace wavefront {
 namespace {
 
 constexpr float lost = std::numeric_limits<float>::infinity();
-constexpr float just_before = 1 - 0x1p-13f;  // the light, which may stop rays itself
 constexpr float just_behind = 1 + 0x1p-16f;
-
-template <class Body>
-void for_each_packet(std::size_t n, const Body& body) {
-  tbb::parallel_for(std::size_t{0}, (n + packet - 1) / packet, [&](std::size_t i) {
-    body(i * packet, static_cast<unsigned>(std::min<std::size_t>(packet, n - i * packet)));
-  });
-}
 
 }  // namespace
 
@@ -93,7 +84,7 @@ void ScatterStage::find_lights(const VertexQueue& vertices, std::size_t first, u
     const std::size_t ray = first + lane;
     rays_.distance[ray] = lost;
     valid[lane] = take_light(rays, lane, ray) ? -1 : 0;
-    shadow_rays.tfar[lane] = rays.ray.tfar[lane] * just_before;
+    shadow_rays.tfar[lane] = rays.ray.tfar[lane] * just_before_the_light;
   }
   stage_.tracer.occluded(valid, shadow_rays);
   for (unsigned lane = 0; lane < lanes; ++lane)
