@@ -103,7 +103,11 @@ void write_errors(const Comparison& comparison, const std::vector<Row>& rows, co
 }  // namespace
 
 void compare(const Scene& scene, const Comparison& comparison) {
-  for (const LightSampling& sampling : comparison.samplings) check_suits(sampling, scene);  // before the work begins
+  for (const LightSampling& sampling : comparison.samplings) {
+    RenderSettings settings = comparison.settings;
+    settings.sampling = sampling;
+    check(scene, settings);  // before the work begins
+  }
   const RayTracer tracer(scene);
   std::optional<Reference> reference;
   if (comparison.reference_spp > 0) {

@@ -7,15 +7,10 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
-#include <stdexcept>
 
 namespace wavefront {
 
-MediumStage::MediumStage(const Stage& stage) : stage_(stage), count_(stage.settings.medium_samples()) {
-  if (stage.scene.medium && stage.settings.media_used() == Media::area_first &&
-      stage.settings.strategy != Strategy::light)
-    throw std::invalid_argument("area-first takes places on the light for places in the medium: strategy light only");
-}
+MediumStage::MediumStage(const Stage& stage) : stage_(stage), count_(stage.settings.medium_samples()) {}
 
 void MediumStage::place(const RayQueue& rays, const LightChoice& choice, VertexQueue& vertices,
                         ConnectionQueue& samples) {

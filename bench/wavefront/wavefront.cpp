@@ -18,16 +18,6 @@ namespace {
 constexpr std::size_t lanes_per_block = 4096;  // a block is one task of the camera and film stages …
 constexpr std::size_t blocks_per_chunk = 32;   // … and a chunk fills the queues once: about 20 MB
 
-void check(const RenderSettings& settings, const Scene& scene) {
-  if (settings.width < 1 || settings.height < 1) throw std::invalid_argument("the picture has no pixels");
-  if (settings.spp == 0 || settings.light_samples == 0)
-    throw std::invalid_argument("a pixel needs at least one sample");
-  if (settings.steps == 0) throw std::invalid_argument("a march needs at least one step");
-  if (settings.strategy == Strategy::mis && settings.sampling.sample_disk)
-    throw std::invalid_argument("map '" + settings.sampling.name + "' tells no density of a direction: not for mis");
-  check_suits(settings.sampling, scene);
-}
-
 std::uint32_t samples_per_pixel(const Scene& scene, const RenderSettings& settings) {
   return settings.spp * (scene.medium ? settings.medium_samples() : settings.light_samples);
 }
@@ -120,8 +110,20 @@ void Renderer::add_to_film(const VertexQueue& vertices) {
 
 }  // namespace
 
+void check(const Scene& scene, const RenderSettings& settings) {
+  if (settings.width < 1 || settings.height < 1) throw std::invalid_argument("the picture has no pixels");
+  if (settings.spp == 0 || settings.light_samples == 0)
+    throw std::invalid_argument("a pixel needs at least one sample");
+  if (settings.steps == 0) throw std::invalid_argument("a march needs at least one step");
+  if (settings.strategy == Strategy::mis && settings.sampling.sample_disk)
+    throw std::invalid_argument("map '" + settings.sampling.name + "' tells no density of a direction: not for mis");
+  if (scene.medium && settings.media_used() == Media::area_first && settings.strategy != Strategy::light)
+    throw std::invalid_argument("area-first takes places on the light for places in the medium: strategy light only");
+  check_suits(settings.sampling, scene);
+}
+
 Render render(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings, const std::string& label) {
-  check(settings, scene);
+  check(scene, settings);
   return Renderer(scene, tracer, settings).run(label);
 }
 

@@ -29,6 +29,9 @@ struct Render {
 };
 
 /// Throws std::invalid_argument if the settings do not suit the scene.
+void check(const Scene& scene, const RenderSettings& settings);
+
+/// Checks and renders; `label` is for the progress bar.
 Render render(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings, const std::string& label);
 
 }  // namespace wavefront
