@@ -61,7 +61,7 @@ void CameraStage::trace_packet(std::size_t first_path, unsigned lanes, const Out
   stage_.tracer.intersect(valid, rays);
   for (unsigned lane = 0; lane < lanes; ++lane) {
     const auto point = stage_.tracer.surface(rays, lane);
-    const Rgb through = cross_medium(first_path + lane, directions[lane], point ? rays.ray.tfar[lane] : infinity, out);
+    const Rgb through = cross_medium(first_path + lane, directions[lane], rays.ray.tfar[lane], out);
     if (point) take(*point, first_path + lane, through, out);
   }
 }

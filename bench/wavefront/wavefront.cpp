@@ -15,8 +15,8 @@
 namespace wavefront {
 namespace {
 
-constexpr std::size_t lanes_per_block = 4096;  // a block is one task of the camera and film stages …
-constexpr std::size_t blocks_per_chunk = 32;   // … and a chunk fills the queues once: about 20 MB
+constexpr std::size_t lanes_per_block = 4096;                  // a block is one task of the camera and film stages …
+constexpr std::size_t lanes_per_chunk = std::size_t{1} << 17;  // … and a chunk fills the queues once: about 20 MB
 
 std::uint32_t samples_per_pixel(const Scene& scene, const RenderSettings& settings) {
   return settings.spp * (scene.medium ? settings.medium_samples() : settings.light_samples);
@@ -31,6 +31,8 @@ class Renderer {
         stage_{scene,     tracer,   lights_,
                settings_, sampler_, static_cast<int>(std::bit_width(samples_per_pixel(scene, settings) - 1))},
         pixels_per_block_(std::max<std::size_t>(1, lanes_per_block / samples_per_pixel(scene, settings))),
+        blocks_per_chunk_(
+            std::max<std::size_t>(1, lanes_per_chunk / (pixels_per_block_ * samples_per_pixel(scene, settings)))),
         camera_(stage_, pixels_per_block_),
         medium_(stage_),
         light_(stage_),
@@ -48,7 +50,7 @@ class Renderer {
   const RenderSettings settings_;
   const Sampler sampler_;
   Stage stage_;
-  const std::size_t pixels_per_block_;
+  const std::size_t pixels_per_block_, blocks_per_chunk_;
   const CameraStage camera_;
   MediumStage medium_;
   LightStage light_;
@@ -64,7 +66,7 @@ class Renderer {
 Render Renderer::run(const std::string& label) {
   const auto start = std::chrono::steady_clock::now();
   const std::size_t pixels = result_.image.pixels.size();
-  const std::size_t pixels_per_chunk = blocks_per_chunk * pixels_per_block_;
+  const std::size_t pixels_per_chunk = blocks_per_chunk_ * pixels_per_block_;
   Progress progress(label, pixels);
   for (; stage_.first_pixel < pixels; stage_.first_pixel += pixels_per_chunk) {
     render_chunk();
@@ -77,7 +79,7 @@ Render Renderer::run(const std::string& label) {
 }
 
 void Renderer::render_chunk() {
-  camera_.trace(blocks_per_chunk, vertices_, rays_, result_.image);
+  camera_.trace(blocks_per_chunk_, vertices_, rays_, result_.image);
   gather(vertices_, settings_.light_samples);
   if (!stage_.scene.medium) return;
   medium_.place(rays_, light_.choice(), fog_vertices_, samples_);
