@@ -78,8 +78,8 @@ TEST(Scenes, medium_wants_solid_angle_sampling) {
   const Scene scene = read_scene(std::filesystem::path(WAVEFRONT_SCENES) / "medium.xml");
   const RayTracer tracer(scene);
   RenderSettings settings = tiny(Strategy::light, Media::equiangular);
-  settings.width *= 2;
-  settings.height *= 2;
+  settings.width = 96;
+  settings.height = 72;
   settings.spp = 16;
   const auto picture = [&](const char* map, std::uint32_t samples, std::uint64_t seed) {
     settings.sampling = light_sampling(map);
