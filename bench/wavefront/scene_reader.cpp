@@ -130,7 +130,7 @@ class Reader {
   }
 
   /// A medium fills the body that it is the inside of; if the camera alone is in it, all of space.
-  void fill(const XmlElement& ref, std::optional<Medium::Body> body) {
+  void fill(const XmlElement& ref, const std::optional<Medium::Body>& body) {
     const std::string id = ref.text("id");
     const Medium& medium = referred(media_, ref, "medium");
     if (scene_.medium && medium_id_ != id) ref.fail("a second medium, which is not supported");

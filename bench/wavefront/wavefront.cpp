@@ -19,7 +19,7 @@ constexpr std::size_t lanes_per_block = 4096;                  // a block is one
 constexpr std::size_t lanes_per_chunk = std::size_t{1} << 17;  // … and a chunk fills the queues once: about 20 MB
 
 std::uint32_t samples_per_pixel(const Scene& scene, const RenderSettings& settings) {
-  return settings.spp * (scene.medium ? settings.medium_samples() : settings.light_samples);
+  return std::max(1u, settings.spp * (scene.medium ? settings.medium_samples() : settings.light_samples));
 }
 
 class Renderer {
@@ -27,12 +27,11 @@ class Renderer {
   Renderer(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings)
       : lights_(scene),
         settings_(settings),
-        sampler_(settings.sampler, std::bit_ceil(samples_per_pixel(scene, settings))),
-        stage_{scene,     tracer,   lights_,
-               settings_, sampler_, static_cast<int>(std::bit_width(samples_per_pixel(scene, settings) - 1))},
-        pixels_per_block_(std::max<std::size_t>(1, lanes_per_block / samples_per_pixel(scene, settings))),
-        blocks_per_chunk_(
-            std::max<std::size_t>(1, lanes_per_chunk / (pixels_per_block_ * samples_per_pixel(scene, settings)))),
+        samples_per_pixel_(samples_per_pixel(scene, settings)),
+        sampler_(settings.sampler, std::bit_ceil(samples_per_pixel_)),
+        stage_{scene, tracer, lights_, settings_, sampler_, static_cast<int>(std::bit_width(samples_per_pixel_ - 1))},
+        pixels_per_block_(std::max<std::size_t>(1, lanes_per_block / samples_per_pixel_)),
+        blocks_per_chunk_(std::max<std::size_t>(1, lanes_per_chunk / (pixels_per_block_ * samples_per_pixel_))),
         camera_(stage_, pixels_per_block_),
         medium_(stage_),
         light_(stage_),
@@ -48,6 +47,7 @@ class Renderer {
 
   const LightTable lights_;
   const RenderSettings settings_;
+  const std::uint32_t samples_per_pixel_;
   const Sampler sampler_;
   Stage stage_;
   const std::size_t pixels_per_block_, blocks_per_chunk_;
