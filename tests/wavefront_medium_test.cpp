@@ -103,16 +103,32 @@ TEST(Fog, every_strategy_gives_the_integral) {
     }
 }
 
-/// Distances and directions are of one sequence. Were they not shuffled against each other, a pixel would not converge.
+/// Distances, steps and directions are of one sequence. Were they not shuffled against each other, a pixel would not
+/// converge.
 TEST(Fog, more_samples_help) {
   const Scene scene = parse(scene_in("", in_fog, below_disk));
-  for (const Strategy strategy : {Strategy::light, Strategy::bsdf}) {
-    RenderSettings settings = settings_of(Media::equiangular, strategy);
+  const RenderSettings all[] = {settings_of(Media::equiangular), settings_of(Media::equiangular, Strategy::bsdf),
+                                settings_of(Media::march)};
+  for (RenderSettings settings : all) {
+    SCOPED_TRACE(testing::Message() << name(settings.media) << ", " << name(settings.strategy));
+    settings.steps = 2;
     settings.light_samples = 1;
     const double few = mean_of(scene, settings).error;
     settings.light_samples = 64;
     EXPECT_LT(mean_of(scene, settings).error, few / 5);
   }
+}
+
+/// Light samples alone, more and more paths a pixel.
+TEST(Fog, more_paths_help_a_march) {
+  const Scene scene = parse(scene_in("", in_fog, below_disk));
+  RenderSettings settings = settings_of(Media::march);
+  settings.steps = 2;
+  settings.light_samples = 1;
+  settings.spp = 4;
+  const double few = mean_of(scene, settings).error;
+  settings.spp = 256;
+  EXPECT_LT(mean_of(scene, settings).error, few / 5);
 }
 
 TEST(Fog, fills_its_body_only) {

@@ -26,9 +26,10 @@ struct Stage {
   Sample2 variate(Dimension dimension, std::size_t path, std::uint32_t index) const {
     const std::uint64_t seed = hash(settings.seed, static_cast<std::uint64_t>(dimension));
     const std::uint64_t key = hash(seed, pixel_of(path));
-    // Shuffled, or the direction would be a function of the distance at which it begins.
-    const bool follows_distance = dimension == Dimension::medium_light || dimension == Dimension::medium_scattering;
-    return sampler(key, follows_distance ? shuffle_index(index, index_bits, ~key) : index);
+    // Shuffled, or the direction would be a function of the distance at which it begins, and the place in a step one of
+    // the step's number.
+    const bool in_medium = dimension >= Dimension::distance;
+    return sampler(key, in_medium ? shuffle_index(index, index_bits, ~key) : index);
   }
 };
 
