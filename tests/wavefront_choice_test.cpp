@@ -1,5 +1,6 @@
 // How the renderer in bench/wavefront chooses among lights.
 #include "light_stage.h"
+#include "support/picture_mean.h"
 #include "support/random.h"
 #include "support/scene_text.h"
 
@@ -137,8 +138,7 @@ TEST(LightFacts, places_are_on_the_light_and_uniform) {
     V3f mean(0);
     constexpr int steps = 200;
     for (int i = 0; i < steps * steps; ++i) {
-      const V3f place = lights[light].place(
-          {(static_cast<float>(i % steps) + 0.5f) / steps, (static_cast<float>(i / steps) + 0.5f) / steps});
+      const V3f place = lights[light].place(cell_middle(i, steps));
       ASSERT_NEAR(lights[light].normal.dot(place - lights[light].centre), 0, 1e-5f);
       mean += place / (steps * steps);
     }

@@ -216,8 +216,7 @@ TEST(Scattering, samples_by_its_density) {
     double cosine = 0, expected_cosine = 0, whole = 0;
     constexpr int steps = 256;
     for (int i = 0; i < steps * steps; ++i) {
-      const V3f direction = scattering.sample(
-          axis, {(static_cast<float>(i % steps) + 0.5f) / steps, (static_cast<float>(i / steps) + 0.5f) / steps});
+      const V3f direction = scattering.sample(axis, cell_middle(i, steps));
       ASSERT_NEAR(direction.length(), 1, 1e-6);
       cosine += static_cast<double>(direction.dot(axis)) / (steps * steps);
     }

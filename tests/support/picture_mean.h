@@ -1,4 +1,4 @@
-// The mean of a picture whose pixels are independent estimates of one number, and how far it may err.
+// The mean of a picture whose pixels are independent estimates of one number, and how far it may err; a regular grid.
 #pragma once
 
 #include "scene_text.h"
@@ -9,6 +9,13 @@
 #include <cmath>
 
 namespace wavefront {
+
+/// The middle of one of steps² cells of the unit square.
+inline Sample2 cell_middle(int cell, int steps) {
+  const int column = cell % steps, row = cell / steps;
+  const auto size = static_cast<float>(steps);
+  return {(static_cast<float>(column) + 0.5f) / size, (static_cast<float>(row) + 0.5f) / size};
+}
 
 struct PictureMean {
   double mean, error;  // one standard deviation of the mean
