@@ -27,6 +27,7 @@ function(hatbox_add_isa isa)
   set(target hatbox_kernels_${isa})
   add_library(${target} OBJECT ${PROJECT_SOURCE_DIR}/src/kernels.cpp)
   hatbox_compile_options(${target})
+  hatbox_sanitize(${target})
   target_compile_definitions(${target} PRIVATE HATBOX_ISA=${isa})
   # A unique symbol would stay global whatever objcopy is told.
   target_compile_options(${target} PRIVATE ${arg_FLAGS} $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)

@@ -227,7 +227,7 @@ TEST_P(DiskTableUniformitySlow, DensityTimesSolidAngleIsNearlyOne) {
   }
 }
 
-HATBOX_FOR_EVERY_ISA(DiskTableUniformitySlow);
+INSTANTIATE_TEST_SUITE_P(Wide, DiskTableUniformitySlow, testing::ValuesIn(wide_isas()), isa_test_name);
 
 }  // namespace
 }  // namespace hatbox::test

@@ -1,4 +1,4 @@
-# The installed package: install it below the build directory, then build and run a program outside that finds it.
+# The installed package: install it below the build directory, then build and run programs outside that find it.
 set(prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix)
 set(consumer_dir ${CMAKE_CURRENT_BINARY_DIR}/consumer)
 
@@ -13,7 +13,11 @@ add_test(NAME package_consumer
       -DCMAKE_TOOLCHAIN_FILE=${CMAKE_TOOLCHAIN_FILE} -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
       -DCMAKE_CXX_FLAGS=${CMAKE_CXX_FLAGS}
     --test-command ${CMAKE_CROSSCOMPILING_EMULATOR} ${consumer_dir}/example)
-set_tests_properties(package_consumer PROPERTIES FIXTURES_REQUIRED package)
+set_tests_properties(package_consumer PROPERTIES FIXTURES_REQUIRED package FIXTURES_SETUP consumer)
+foreach(program direct mis)
+  add_test(NAME consumer_${program} COMMAND ${CMAKE_CROSSCOMPILING_EMULATOR} ${consumer_dir}/${program})
+  set_tests_properties(consumer_${program} PROPERTIES FIXTURES_REQUIRED consumer)
+endforeach()
 
 # What the README shows is that very program.
 add_test(NAME readme_example
