@@ -20,8 +20,10 @@ class KindBlock {
   /// cache. More samples a point than most_per_point are done in several goes, each with a set-up of its own.
   static constexpr std::size_t most_points = 1024, most_samples = 8192, most_per_point = 16;
 
+  /// A multiple of the widest packet, so that only a kind's last packet is a partial one; most_strides counts on it.
   static std::size_t points(std::size_t per_point) {
-    return std::min(most_points, most_samples / std::clamp<std::size_t>(per_point, 1, most_per_point));
+    const std::size_t room = most_samples / std::clamp<std::size_t>(per_point, 1, most_per_point);
+    return std::min(most_points, room / widest_packet * widest_packet);
   }
 
   /// Calls run(kind, arrays, lights, begin, end) for each kind of light that points [begin, end) of a call have.
@@ -61,6 +63,7 @@ class KindBlock {
   template <class T, std::size_t size>
   using Array = std::array<T, size>;
 
+  /// A stride is at most 16 more than the points of a full block, which are an even number of cache lines.
   static constexpr std::size_t most_strides = most_samples + 16 * most_per_point;
 
   Array<std::size_t, light_kind_count> counts_;

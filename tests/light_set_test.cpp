@@ -71,6 +71,17 @@ TEST_P(LightSetCalls, AreThoseOfTheLightsAloneForManySamples) {
   expect_as_alone(lights, best, random_choices(points.size(), lights.size()), points, 37);
 }
 
+/// A block takes fewer points the more samples they have; what it has room for is close to what it takes.
+TEST_P(LightSetCalls, AreThoseOfTheLightsAloneInFullBlocks) {
+  const MixedLights lights(pose(), 1);
+  for (std::size_t k = 9; k <= 16; ++k) {
+    SCOPED_TRACE(k);
+    const std::size_t full_block = 8192 / k;
+    const PointArrays points = make_points(Workload::w1, pose(), full_block);
+    expect_as_alone(lights, best, random_choices(points.size(), lights.size()), points, k);
+  }
+}
+
 TEST_P(LightSetCalls, AreThoseOfTheLightsAloneForEveryMap) {
   const MixedLights lights(pose(), 2);
   const PointArrays points = all_points(pose(), 120);
