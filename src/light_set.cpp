@@ -18,8 +18,8 @@ namespace hatbox {
 /// A block a thread.
 struct Workspace::Data {
   /// For as many threads as the caller's arena may have.
-  void reserve(int threads) {
-    while (blocks.size() < static_cast<std::size_t>(threads)) blocks.push_back(std::make_unique<KindBlock>());
+  void reserve(std::size_t threads) {
+    while (blocks.size() < threads) blocks.push_back(std::make_unique<KindBlock>());
   }
   /// Of a thread of the arena, or of one that is in none.
   KindBlock& of(int thread) { return *blocks[static_cast<std::size_t>(std::max(thread, 0))]; }
@@ -45,6 +45,10 @@ void check_indices(const LightSet& set, Indices light, std::size_t points) {
                               " is out of range, the set has " + std::to_string(set.size()) + " lights");
 }
 
+/// How many threads may come to work in the caller's arena: even in one for a single thread a worker joins it, whenever
+/// someone enqueues a task there.
+std::size_t arena_threads() { return static_cast<std::size_t>(std::max(tbb::this_task_arena::max_concurrency(), 2)); }
+
 /// Calls run(kind, arrays, lights, begin, end) for all points of a call, a block and a kind at a time.
 template <class Run>
 void for_each_kind(Schedule schedule, const LightSet& set, Indices light, const CallArrays& call, Workspace& workspace,
@@ -52,7 +56,7 @@ void for_each_kind(Schedule schedule, const LightSet& set, Indices light, const 
   check_indices(set, light, call.size.points);
   const std::size_t per_point = call.size.per_point, step = KindBlock::points(per_point);
   if (schedule.grain == 0) schedule.grain = step;
-  workspace.data().reserve(schedule.parallel ? tbb::this_task_arena::max_concurrency() : 1);
+  workspace.data().reserve(schedule.parallel ? arena_threads() : 1);
   run_blocks(schedule, call.size.points, per_point, [&](std::size_t begin, std::size_t end) {
     KindBlock& block = workspace.data().of(schedule.parallel ? tbb::this_task_arena::current_thread_index() : 0);
     for (std::size_t i = begin; i < end; i += step) {
