@@ -39,8 +39,9 @@ namespace equiangular {
 /// the `t` returned, to 1e-6.
 ///
 /// On the segment itself a pivot has no such density: one closer to its ray than 2^-32 of its distance from the
-/// segment's start is taken to be that far beside it (where it is the start, 2^-32 of the segment's length, or, if that
-/// is infinite, the lane cannot be sampled). A pivot on the ray before or behind the segment is as good as any.
+/// segment's start, rounded down to a power of two, is taken to be that far beside it (where it is the start, 2^-32 of
+/// the segment's length, or, if that is infinite, the lane cannot be sampled). Down there, below 1e-8 of that distance,
+/// the bounds above are 1e-4. A pivot on the ray before or behind the segment is as good as any.
 ///
 /// Source: Kulla and Fajardo 2012, in the form that src/equiangular_map.h explains; used so by Guillén et al. 2017, §5.
 void sample(Segments segments, Points pivots, std::span<const float> u, std::span<float> t, std::span<float> pdf);
@@ -50,8 +51,9 @@ void sample(Segments segments, Points pivots, std::span<const float> u, std::spa
 void pdf(Segments segments, Points pivots, std::span<const float> t, std::span<float> out);
 
 /// The part of each of the n segments on the side that its normal points to, of the plane through `on_plane` (a light's
-/// centre, say) with the normal `normals` (any length but zero): where normal·(x − on_plane) > 0. Right to an ulp of t.
-/// 0, 0 where nothing is left, which `sample` takes for a segment that cannot be sampled. `on_plane`, `normals` and the
+/// centre, say) with the normal `normals` (any length but zero): where normal·(x − on_plane) > 0. Right to an ulp of t
+/// where the ray is at 1e-7 rad or more to the plane, next to parallel to what twice a float's precision tells. 0, 0
+/// where nothing is left, which `sample` takes for a segment that cannot be sampled. `on_plane`, `normals` and the
 /// outputs have n elements each; here alone the outputs may be inputs: those of `segments`.
 void clip(Segments segments, Points on_plane, Directions normals, std::span<float> t_min, std::span<float> t_max);
 

@@ -18,7 +18,7 @@ namespace hatbox {
 
 /// An immutable set of lights, ready for the kernels. Index 0 is the first disk; the ellipses follow the disks, then
 /// come the rectangles, then the triangles. At most 96 bytes a light. Copies share what is in it; any number of threads
-/// may use one.
+/// may use one. One that was moved from may only be assigned to or destroyed.
 class LightSet {
  public:
   /// The map that each kind of light is sampled by. The best exact ones by default.
@@ -46,8 +46,9 @@ class LightSet {
   std::shared_ptr<const Data> data_;
 };
 
-/// Scratch memory of the calls below, to be used again and again: it grows with the number of threads at work and with
-/// the grain, and once it has its size, calls allocate nothing. One call at a time may use it.
+/// Scratch memory of the calls below, to be used again and again: 0.4 MB for each thread that the caller's task arena
+/// may have (at least two) in calls of `parallel`, for one in the others. Once it has its size, calls allocate nothing
+/// here. One call at a time may use it. One that was moved from may only be assigned to or destroyed.
 class Workspace {
  public:
   Workspace();
