@@ -28,6 +28,20 @@ inline Pair<V> two_product(V x, V y) {
   return {product, fma(x, y, -product)};
 }
 
+/// x + y of twice the precision, rounded to that.
+template <class V>
+HATBOX_INLINE inline Pair<V> sum(const Pair<V>& x, const Pair<V>& y) {
+  const Pair<V> high = two_sum(x.high, y.high);
+  return two_sum(high.high, high.low + (x.low + y.low));
+}
+
+/// x · y of twice the precision, rounded to that.
+template <class V>
+HATBOX_INLINE inline Pair<V> product(const Pair<V>& x, const Pair<V>& y) {
+  const Pair<V> high = two_product(x.high, y.high);
+  return two_sum(high.high, high.low + fma(x.high, y.low, x.low * y.high));
+}
+
 /// a · b for a b of twice the precision, as if computed in that and then rounded (Ogita, Rump and Oishi 2005,
 /// Dot2, with the low part of b carried to first order).
 template <class V>

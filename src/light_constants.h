@@ -67,11 +67,11 @@ RectangleConstantsOf<T> constants_of(const Rectangle& light);
 /// Its plane's axes: x along a → b, y towards c, z the normal.
 template <class T>
 struct TriangleConstantsOf {
-  T vertex[3];      // a, world units
-  T axes_hi[3][3];  // unit vectors, rounded to T …
-  T axes_lo[3][3];  // … and what the rounding left
-  T base;           // |b − a|, world units
-  T apex[2];        // (x, y) of c − a, in bases
+  T vertex[3];               // a, world units
+  T axes_hi[3][3];           // unit vectors, rounded to T …
+  T x_lo[3], z_lo[3];        // … and what the rounding left of two: y is z × x
+  T base_hi, base_lo;        // |b − a|, world units, and what rounding left of it
+  T apex_hi[2], apex_lo[2];  // (x, y) of c − a, in bases, and what rounding left of them
 };
 using TriangleConstants = TriangleConstantsOf<float>;
 

@@ -49,12 +49,12 @@ TriangleConstantsOf<T> constants_of(const Triangle& light) {
 
   TriangleConstantsOf<T> constants = {};
   set_vector(constants.vertex, in_double(light.a));
-  set_split(constants.axes_hi[0], constants.axes_lo[0], x);
-  set_split(constants.axes_hi[1], constants.axes_lo[1], y);
-  set_split(constants.axes_hi[2], constants.axes_lo[2], z);
-  constants.base = static_cast<T>(base * unit);
-  constants.apex[0] = static_cast<T>(dot(ac, x) / base);
-  constants.apex[1] = static_cast<T>(doubled_area / base / base);
+  set_split(constants.axes_hi[0], constants.x_lo, x);
+  set_vector(constants.axes_hi[1], y);
+  set_split(constants.axes_hi[2], constants.z_lo, z);
+  split(base * unit, constants.base_hi, constants.base_lo);
+  split(dot(ac, x) / base, constants.apex_hi[0], constants.apex_lo[0]);
+  split(doubled_area / base / base, constants.apex_hi[1], constants.apex_lo[1]);
   return constants;
 }
 

@@ -38,13 +38,6 @@ HATBOX_INLINE inline V length_of_small(V x, V y, V z) {
   return sqrt(fma(scaled_x, scaled_x, fma(scaled_y, scaled_y, scaled_z * scaled_z))) * down;
 }
 
-/// x + y, rounded to twice the precision.
-template <class V>
-HATBOX_INLINE inline Pair<V> sum(const Pair<V>& x, const Pair<V>& y) {
-  const Pair<V> high = two_sum(x.high, y.high);
-  return two_sum(high.high, high.low + (x.low + y.low));
-}
-
 /// p · s − q · r, in twice the precision and then rounded (Kahan's difference of products, with the low parts).
 template <class V>
 HATBOX_INLINE inline V determinant(const Pair<V>& p, const Pair<V>& q, const Pair<V>& r, const Pair<V>& s) {
@@ -62,8 +55,7 @@ struct TriangleLocal {
       const Pair<V> d = dot_pair(l, light.axes_hi[i], light.axes_lo[i]);
       return two_sum(d.high * V(light.inverse_unit), d.low * V(light.inverse_unit));
     };
-    const Pair<V> base = {V(light.base_in_units), V(0)}, apex_x = {V(light.apex_x), V(0)},
-                  apex_y = {V(light.apex_y), V(0)}, from_b = {V(light.from_b.high), V(light.from_b.low)};
+    const Pair<V>&base = light.base, &apex_x = light.apex_x, &apex_y = light.apex_y, &from_b = light.from_b;
     const auto minus = [](const Pair<V>& p) { return Pair<V>{-p.high, -p.low}; };
     const Pair<V> a_x = along_axis(0), a_y = along_axis(1), n = along_axis(2);
     const Pair<V> b_x = sum(a_x, base), c_x = sum(a_x, apex_x), c_y = sum(a_y, apex_y);

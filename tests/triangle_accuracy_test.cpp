@@ -43,7 +43,7 @@ TEST(TriangleReference, IsGolden) {
 TEST(TriangleConstants, LowPartsCompleteTheHighOnes) {
   for (const Pose pose : {Pose::canonical, Pose::general}) {
     for (const auto& [what, light] : triangles_in(pose)) {
-      const auto rounded = constants_of<float>(light);
+      const kernels::TriangleLight<float> rounded(constants_of<float>(light));
       const auto exact = constants_of<double>(light);
       for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
