@@ -78,6 +78,8 @@ using TriangleConstants = TriangleConstantsOf<float>;
 template <class T>
 TriangleConstantsOf<T> constants_of(const Triangle& light);
 
+double longest_side(const Triangle& light);
+
 /// Twice the area over the square of the longest side: the triangle's height on that side, in its lengths. 0 where all
 /// vertices are one.
 double thinness(const Triangle& light);

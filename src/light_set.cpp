@@ -56,6 +56,7 @@ void for_each_kind(Schedule schedule, const LightSet& set, Indices light, const 
   check_indices(set, light, call.size.points);
   const std::size_t per_point = call.size.per_point, step = KindBlock::points(per_point);
   if (schedule.grain == 0) schedule.grain = step;
+  schedule.parallel = schedule.parallel && call.size.points > block_size(schedule.grain, per_point);
   workspace.data().reserve(schedule.parallel ? arena_threads() : 1);
   run_blocks(schedule, call.size.points, per_point, [&](std::size_t begin, std::size_t end) {
     KindBlock& block = workspace.data().of(schedule.parallel ? tbb::this_task_arena::current_thread_index() : 0);

@@ -77,7 +77,7 @@ template <class Body>
 HATBOX_INLINE inline void for_each_packet(std::size_t begin, std::size_t end, const Body& body) {
   const std::size_t middle = end_of_whole_packets(begin, end);
   for_each_whole_packet(begin, middle, body);
-  if constexpr (lanes < WidePacket >> 1) for_each_narrow_packet(middle, end, body);
+  if constexpr (1 < lanes<WidePacket>) for_each_narrow_packet(middle, end, body);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <hatbox/triangle.h>
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -30,6 +31,7 @@ std::string_view check(const Triangle& light) noexcept {
   if (!is_finite(light.a)) return "light.a is not finite";
   if (!is_finite(light.b)) return "light.b is not finite";
   if (!is_finite(light.c)) return "light.c is not finite";
+  if (longest_side(light) > std::numeric_limits<float>::max()) return "light.a, b and c are too far apart";
   if (thinness(light) < 0x1p-24) return "light.a, b and c lie on a line";
   return {};
 }

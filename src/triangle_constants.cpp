@@ -24,12 +24,12 @@ Double3 accurate_cross(const Double3& p, const Double3& q) {
           difference_of_products(p.x, q.y, p.y, q.x)};
 }
 
+}  // namespace
+
 double longest_side(const Triangle& light) {
   return std::max({length(difference(light.b, light.a)), length(difference(light.c, light.a)),
                    length(difference(light.c, light.b))});
 }
-
-}  // namespace
 
 double thinness(const Triangle& light) {
   const double longest = longest_side(light);

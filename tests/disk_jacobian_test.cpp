@@ -65,10 +65,10 @@ void expect_nearly_honest(const std::vector<double>& errors) {
 }
 
 TEST_P(DiskJacobianSlow, RadialCarlson) {
-  expect_nearly_honest(jacobian_errors<in_double::DiskRadialCarlson>(GetParam(), jacobian_step, 24));
+  expect_nearly_honest(jacobian_errors<in_double::DiskRadialCarlson>(GetParam(), jacobian_step, 64));
 }
 TEST_P(DiskJacobianSlow, ParallelCarlson) {
-  expect_nearly_honest(jacobian_errors<in_double::DiskParallelCarlson>(GetParam(), step_off_middle, 24));
+  expect_nearly_honest(jacobian_errors<in_double::DiskParallelCarlson>(GetParam(), step_off_middle, 64));
 }
 
 INSTANTIATE_TEST_SUITE_P(Pose, DiskJacobianSlow, testing::Values(Pose::canonical, Pose::general),

@@ -41,6 +41,7 @@ TEST(TriangleErrors, DegenerateOnesAreNone) {
     EXPECT_EQ(check(leaning(1e-7f, scale)), "light.a, b and c lie on a line");
     EXPECT_EQ(check(leaning(1e-6f, scale)), "");
   }
+  EXPECT_EQ(check(Triangle{{-3e38f, 0, 0}, {3e38f, 0, 0}, {0, 3e38f, 0}}), "light.a, b and c are too far apart");
   EXPECT_EQ(check(Triangle{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}), "light.a, b and c lie on a line");
   EXPECT_EQ(check(Triangle{{1, 2, 3}, {1, 2, 3}, {4, 5, 6}}), "light.a, b and c lie on a line");
 }

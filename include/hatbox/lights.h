@@ -39,7 +39,8 @@ struct Rectangle {
 
 /// A flat triangle. It emits to both sides; the cosine is > 0 on the side that (b − a) × (c − a) points to.
 ///
-/// Valid if all numbers are finite and it is at least 2^-24 times as high as its longest side is long.
+/// Valid if all numbers are finite, no side is longer than the largest float, and it is at least 2^-24 times as high as
+/// its longest side is long.
 struct Triangle {
   Vec3 a, b, c;  ///< world space
 };
