@@ -86,20 +86,8 @@ void CameraStage::take(const SurfacePoint& point, std::size_t path, const Rgb& t
     if (point.front || emitter.double_sided)
       out.image.pixels[stage_.pixel_of(path)] += emitter.radiance * through / static_cast<float>(stage_.settings.spp);
   }
-  if (point.outside) queue_surface(point, path, through, out);
-}
-
-void CameraStage::queue_surface(const SurfacePoint& point, std::size_t path, const Rgb& through,
-                                const Output& out) const {
-  VertexQueue& surfaces = out.surfaces;
-  const std::size_t i = surfaces.add(out.block);
-  surfaces.position.set(i, point.position);
-  surfaces.axis.set(i, point.normal);
-  surfaces.ray_origin.set(i, point.shadow_origin);
-  surfaces.throughput[i] = point.shape->reflectance * through;
-  surfaces.path[i] = static_cast<std::uint32_t>(path);
-  surfaces.sequence[i] = static_cast<std::uint32_t>(path % stage_.settings.spp) * stage_.settings.light_samples;
-  surfaces.light[i] = any_light;
+  const std::uint32_t sequence = static_cast<std::uint32_t>(path % stage_.settings.spp) * stage_.settings.light_samples;
+  if (point.outside) add_surface(point, through, path, sequence, out.block, out.surfaces);
 }
 
 }  // namespace wavefront

@@ -26,7 +26,6 @@ class CameraStage {
   V3f direction_of(std::size_t path, const Image& image) const;
   void trace_packet(std::size_t first_path, unsigned lanes, const Output& out) const;
   void take(const SurfacePoint& point, std::size_t path, const Rgb& through, const Output& out) const;
-  void queue_surface(const SurfacePoint& point, std::size_t path, const Rgb& through, const Output& out) const;
   Rgb cross_medium(std::size_t path, const V3f& direction, float end, const Output& out) const;
 
   const Stage& stage_;

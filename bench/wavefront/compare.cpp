@@ -72,6 +72,7 @@ void write_report(const Comparison& comparison, const std::vector<Row>& rows,
   report["choose"] = name(comparison.settings.choice);
   report["strategy"] = name(comparison.settings.strategy);
   report["media"] = name(comparison.settings.media);
+  report["depth"] = comparison.settings.depth;
   if (reference)
     report["reference"] = {{"spp", reference->spp}, {"mse", reference->mse}, {"seconds", reference->seconds}};
   report["rows"] = nlohmann::ordered_json::array();

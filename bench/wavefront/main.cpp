@@ -29,6 +29,7 @@ struct Options {
   std::string strategy = "light";
   std::string media = "equiangular";
   std::uint32_t steps = 4;
+  std::uint32_t depth = 1;
   std::uint64_t seed = 0;
   int threads = tbb::info::default_concurrency();
 };
@@ -73,6 +74,9 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--steps", options.steps, "Steps of a march through a medium")
       ->check(CLI::Range(1, 1 << 10))
       ->capture_default_str();
+  app.add_option("--depth", options.depth, "Surfaces of a path that gather light; 1: direct light alone")
+      ->check(CLI::Range(1, 1 << 10))
+      ->capture_default_str();
   app.add_option("--seed", options.seed, "Seed of the light samples")->capture_default_str();
   app.add_option("--threads", options.threads, "Threads")->check(CLI::Range(1, 4096))->capture_default_str();
 }
@@ -102,6 +106,7 @@ void run(const Options& options) {
       .strategy = wavefront::strategy_named(options.strategy),
       .media = wavefront::media_named(options.media),
       .steps = options.steps,
+      .depth = options.depth,
       .sampler = options.sampler == "random" ? wavefront::SamplerKind::random : wavefront::SamplerKind::zero_two,
       .seed = options.seed};
   std::filesystem::create_directories(comparison.out);

@@ -13,10 +13,10 @@ namespace wavefront {
 /// `light_samples` samples of direct light, each of one light. In a medium it gathers light at as many places as it
 /// takes samples (with Media::march at `steps` times as many).
 ///
-/// The places depend on spp, the size and the kind of sampler, not on the seed. So the images of one scene differ by
-/// their light samples alone, and the difference to a reference with the same places (and more light samples at each)
-/// is the error of light sampling and nothing else: places drawn anew for every image would add the noise of the
-/// silhouettes, the same for every map.
+/// The places, and where paths go from there, depend on spp, the size and the kind of sampler, not on the seed. So the
+/// images of one scene differ by their light samples alone, and the difference to a reference with the same places (and
+/// more light samples at each) is the error of light sampling and nothing else: places drawn anew for every image would
+/// add the noise of the silhouettes, the same for every map.
 struct RenderSettings {
   int width;
   int height;
@@ -27,6 +27,7 @@ struct RenderSettings {
   Strategy strategy = Strategy::light;
   Media media = Media::equiangular;
   std::uint32_t steps = 4;
+  std::uint32_t depth = 1;  // surfaces of a path that gather light: 1 is direct light alone
   SamplerKind sampler = SamplerKind::zero_two;
   std::uint64_t seed = 0;  // of the light samples
 

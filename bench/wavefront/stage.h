@@ -8,8 +8,13 @@
 
 namespace wavefront {
 
-/// What samples are for: each has variates of its own.
-enum class Dimension : std::uint64_t { light, scattering, distance, medium_light, medium_scattering };
+/// What samples are for: each has variates of its own, those past `count` the vertices after bounces.
+enum class Dimension : std::uint64_t { light, scattering, distance, medium_light, medium_scattering, count };
+
+constexpr Dimension after_bounce(Dimension dimension, std::uint32_t bounce) {
+  return static_cast<Dimension>(static_cast<std::uint64_t>(dimension) +
+                                bounce * static_cast<std::uint64_t>(Dimension::count));
+}
 
 struct Stage {
   const Scene& scene;
@@ -28,9 +33,31 @@ struct Stage {
     const std::uint64_t key = hash(seed, pixel_of(path));
     // Shuffled, or the direction would be a function of the distance at which it begins, and the place in a step one of
     // the step's number.
-    const bool in_medium = dimension >= Dimension::distance;
-    return sampler(key, in_medium ? shuffle_index(index, index_bits, ~key) : index);
+    // The same goes for a direction after a bounce and the direction of the bounce.
+    const bool follows = dimension >= Dimension::distance;
+    return sampler(key, follows ? shuffle_index(index, index_bits, ~key) : index);
+  }
+
+  /// For the direction of a bounce. Where paths go is a matter of their places, not of the seed: see RenderSettings.
+  Sample2 bounce_variate(std::uint32_t bounce, std::size_t path) const {
+    constexpr std::uint64_t bounce_seed = 0x626f756e6365;
+    const std::uint64_t key = hash(hash(bounce_seed, bounce), pixel_of(path));
+    const auto index = static_cast<std::uint32_t>(path % settings.spp);
+    return sampler(key, shuffle_index(index, index_bits, ~key));
   }
 };
+
+/// Puts a point that a camera path arrived at into the queue of a block; `through` is what is left of its light there.
+inline void add_surface(const SurfacePoint& point, const Rgb& through, std::size_t path, std::uint32_t sequence,
+                        std::size_t block, VertexQueue& surfaces) {
+  const std::size_t i = surfaces.add(block);
+  surfaces.position.set(i, point.position);
+  surfaces.axis.set(i, point.normal);
+  surfaces.ray_origin.set(i, point.shadow_origin);
+  surfaces.throughput[i] = point.shape->reflectance * through;
+  surfaces.path[i] = static_cast<std::uint32_t>(path);
+  surfaces.sequence[i] = sequence;
+  surfaces.light[i] = any_light;
+}
 
 }  // namespace wavefront

@@ -1,5 +1,6 @@
 #include "wavefront.h"
 
+#include "bounce_stage.h"
 #include "camera_stage.h"
 #include "light_stage.h"
 #include "medium_stage.h"
@@ -33,6 +34,7 @@ class Renderer {
         pixels_per_block_(std::max<std::size_t>(1, lanes_per_block / samples_per_pixel_)),
         blocks_per_chunk_(std::max<std::size_t>(1, lanes_per_chunk / (pixels_per_block_ * samples_per_pixel_))),
         camera_(stage_, pixels_per_block_),
+        bounce_(stage_),
         medium_(stage_),
         light_(stage_),
         scatter_(stage_),
@@ -42,7 +44,7 @@ class Renderer {
 
  private:
   void render_chunk();
-  void gather(const VertexQueue& vertices, std::uint32_t k);
+  void gather(const VertexQueue& vertices, std::uint32_t k, std::uint32_t bounce = 0);
   void add_to_film(const VertexQueue& vertices);
 
   const LightTable lights_;
@@ -52,12 +54,13 @@ class Renderer {
   Stage stage_;
   const std::size_t pixels_per_block_, blocks_per_chunk_;
   const CameraStage camera_;
+  const BounceStage bounce_;
   MediumStage medium_;
   LightStage light_;
   ScatterStage scatter_;
 
   RayQueue rays_;
-  VertexQueue vertices_, fog_vertices_;
+  VertexQueue vertices_, bounced_, fog_vertices_;
   ConnectionQueue samples_;
   std::vector<Rgb> radiance_;  // of the vertices, times k
   Render result_;
@@ -81,22 +84,29 @@ Render Renderer::run(const std::string& label) {
 void Renderer::render_chunk() {
   camera_.trace(blocks_per_chunk_, vertices_, rays_, result_.image);
   gather(vertices_, settings_.light_samples);
+  for (std::uint32_t bounce = 1; bounce < settings_.depth; ++bounce) {
+    bounce_.trace(vertices_, bounce, bounced_);
+    std::swap(vertices_, bounced_);
+    gather(vertices_, settings_.light_samples, bounce);
+  }
   if (!stage_.scene.medium) return;
   medium_.place(rays_, light_.choice(), fog_vertices_, samples_);
   gather(fog_vertices_, 1);
 }
 
-void Renderer::gather(const VertexQueue& vertices, std::uint32_t k) {
+void Renderer::gather(const VertexQueue& vertices, std::uint32_t k, std::uint32_t bounce) {
   const bool surface = vertices.scattering.surface;
   radiance_.assign(vertices.size(), Rgb(0.0f));
   if (settings_.samples_lights()) {
     const bool sampled = !surface && settings_.media_used() == Media::area_first;  // along with their places
-    if (!sampled) light_.sample(vertices, surface ? Dimension::light : Dimension::medium_light, k, samples_);
+    const Dimension dimension = surface ? Dimension::light : Dimension::medium_light;
+    if (!sampled) light_.sample(vertices, after_bounce(dimension, bounce), k, samples_);
     light_.trace_shadow_rays(vertices, samples_, radiance_);
   }
-  if (settings_.samples_scattering())
-    scatter_.add(vertices, surface ? Dimension::scattering : Dimension::medium_scattering, k, light_, samples_,
-                 radiance_);
+  if (settings_.samples_scattering()) {
+    const Dimension dimension = surface ? Dimension::scattering : Dimension::medium_scattering;
+    scatter_.add(vertices, after_bounce(dimension, bounce), k, light_, samples_, radiance_);
+  }
   add_to_film(vertices);
 }
 
@@ -116,6 +126,9 @@ void check(const Scene& scene, const RenderSettings& settings) {
   if (settings.width < 1 || settings.height < 1) throw std::invalid_argument("the picture has no pixels");
   if (settings.spp == 0 || settings.light_samples == 0)
     throw std::invalid_argument("a pixel needs at least one sample");
+  if (settings.depth == 0) throw std::invalid_argument("a path needs a depth of at least 1");
+  if (settings.depth > 1 && scene.medium)
+    throw std::invalid_argument("a depth of more than 1 is for scenes without a medium");
   if (settings.steps == 0) throw std::invalid_argument("a march needs at least one step");
   if (settings.strategy == Strategy::mis && settings.sampling.sample_disk)
     throw std::invalid_argument("map '" + settings.sampling.name + "' tells no density of a direction: not for mis");

@@ -1,5 +1,6 @@
-// The renderer: direct light on Lambertian surfaces and single scattering in fog, computed for many camera paths at a
-// time, one stage after the other. A stage is a function from queues to queues, arrays of structures column by column:
+// The renderer: light on Lambertian surfaces, direct or after bounces, and single scattering in fog, computed for many
+// camera paths at a time, one stage after the other. A stage is a function from queues to queues, arrays of structures
+// column by column:
 //
 //   camera rays (camera_stage.h)       → vertices on surfaces, parts of rays in the medium
 //   medium sampling (medium_stage.h)   → vertices in the medium
@@ -8,6 +9,7 @@
 //     light sampling (the library)     → directions, distances, densities
 //     shadow rays (light_stage.h)      → radiance
 //     scattering rays (scatter_stage.h) for the strategies bsdf and mis → more of it
+//   bounces (bounce_stage.h)         → vertices on surfaces, for the same once more, as often as `depth` says
 //   film                               → the sum of each pixel
 #pragma once
 
