@@ -72,7 +72,7 @@ Told by_hatbox(const Light& light, Map map, const Vec3& p) {
   float omega;
   solid_angle(light, at, {&omega, 1});
   told.solid_angle = double{omega};
-  const bool near = std::hypot(p.x, p.y, p.z) < 1;
+  const bool near = std::hypot(p.x, p.y, p.z) < 2;
   for (std::size_t i = 0; i < n; ++i) {
     told.directions.push_back(near ? reference::normalize(Vector{double{x[i]}, double{y[i]}, double{z[i]}})
                                    : direction_to(light, p, double{s[i]}, double{t[i]}));

@@ -110,13 +110,14 @@ Square hammersley(unsigned n) {
   return square;
 }
 
-/// n + 1 lines each way, one after the other.
+/// n + 1 lines each way, one after the other. Their points crowd at the ends, where maps may go like a cube root.
 Square grid_lines(int n, int points_per_line) {
   Square square;
   for (const bool along_u : {false, true}) {
     for (int line = 0; line <= n; ++line) {
       for (int i = 0; i < points_per_line; ++i) {
-        const double fixed = static_cast<double>(line) / n, moving = i / (points_per_line - 1.0);
+        const double t = i / (points_per_line - 1.0), moving = t * t * t * (10 - 15 * t + 6 * t * t);
+        const double fixed = static_cast<double>(line) / n;
         square.add(along_u ? moving : fixed, along_u ? fixed : moving);
       }
     }
