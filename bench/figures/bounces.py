@@ -3,7 +3,7 @@ import renders
 
 
 def make(context):
-    size, reference = context.pick(("640x480", 128), ("320x240", 64))
+    size, reference = context.pick(("480x360", 64), ("240x180", 64))
     context.heading("Global illumination (GUK17, supplement)")
     report = renders.compare(context, "bounces", context.scene("spheres.xml"), ("area", "table"), 16, reference, size,
                              "--depth", 4)

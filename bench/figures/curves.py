@@ -8,6 +8,7 @@ import matplotlib.pyplot as plt
 import media
 import renders
 import surfaces
+from context import read_json
 
 SIZE = "128x96"
 
@@ -28,6 +29,7 @@ def make(context):
     mis = measure(context, "rectangle-mis", "spheres-rectangle.xml", surfaces.RECTANGLE_MAPS, "--strategy", "mis")
     plot(context, "rectangle-mis", mis, "A rectangle on surfaces, with MIS")
     rectangle_table(context, light, mis)
+    plot_distances(context)
 
 
 def measure(context, name, scene, maps, *options):
@@ -119,3 +121,25 @@ def rectangle_table(context, light, mis):
     context.text("The samples that spherical needs for the error of the others, as a share of theirs. The paper tells "
                  "of 1024 samples: two_triangles 0.85 without and 0.91 with MIS, area about 0.5 with MIS.")
     context.table(("samples", "area", "two_triangles", "area, MIS", "two_triangles, MIS"), rows)
+
+
+def plot_distances(context):
+    report = context.directory("curves") / "distances.json"
+    context.run("hatbox_bench", "--benchmark_filter=distance", "--report", report)
+    rows = read_json(report)["distances"]
+    figure, axes = plt.subplots(1, 2, figsize=(10, 4))
+    for map_name in dict.fromkeys(row["map"] for row in rows):
+        some = [row for row in rows if row["map"] == map_name]
+        distances = [row["distance"] for row in some]
+        axes[0].loglog(distances, [row["relative_error"] for row in some], ".-", label=map_name)
+        axes[1].semilogx(distances, [row["ns_per_sample"] for row in some], ".-")
+    axes[0].set_ylabel("RMS error of the irradiance, 16 samples, relative")
+    axes[1].set_ylabel("ns a sample")
+    for axis in axes:
+        axis.set_xlabel("distance, radii")
+        axis.grid(alpha=0.3)
+    axes[0].legend()
+    figure.tight_layout()
+    context.figure(figure, "curves/distances.png",
+                   "Over the distance of a patch that faces the centre of the disk, in all directions from it; auto: "
+                   "area sampling below 1e-2 sr.")

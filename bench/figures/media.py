@@ -8,7 +8,7 @@ RECTANGLE_MAPS = ("area", "two_triangles", "spherical")
 
 
 def make(context):
-    size, reference = context.pick(("640x480", 256), ("160x120", 256))
+    size, reference = context.pick(("320x240", 256), ("160x120", 256))
     context.heading("Media: a one-sided disk (GUK17 Fig. 8)")
     disk = renders.compare(context, "media/disk", context.scene("medium.xml"), DISK_MAPS, 16, reference, size)
     renders.sheet(context, disk, "media/disk.png",
