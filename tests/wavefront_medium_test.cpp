@@ -84,7 +84,7 @@ void expect_known_radiance(const Scene& scene, const RenderSettings& settings, d
     expect_agreement(mean_of(image, channel), {expected(channel, begin), 0}, 1e-2);
 }
 
-TEST(Fog, every_way_to_sample_gives_the_integral) {
+TEST(FogSlow, every_way_to_sample_gives_the_integral) {
   const Scene scene = parse(scene_in("", in_fog, below_disk));
   for (const Media media : {Media::equiangular, Media::area_first, Media::march}) {
     SCOPED_TRACE(name(media));
@@ -92,7 +92,7 @@ TEST(Fog, every_way_to_sample_gives_the_integral) {
   }
 }
 
-TEST(Fog, every_strategy_gives_the_integral) {
+TEST(FogSlow, every_strategy_gives_the_integral) {
   const Scene scene = parse(scene_in("", in_fog, below_disk));
   for (const Media media : {Media::equiangular, Media::march})
     for (const Strategy strategy : {Strategy::bsdf, Strategy::mis}) {
@@ -152,7 +152,7 @@ const std::string lights = below_disk + R"(<shape type="rectangle">
   <transform name="toWorld"><scale value="0.2"/><translate x="2" y="1" z="2"/></transform><emitter type="area"/></shape>
 )";
 
-TEST(Fog, every_way_to_sample_agrees_for_many_lights) {
+TEST(FogSlow, every_way_to_sample_agrees_for_many_lights) {
   const Scene scene = parse(scene_in("", in_fog, lights));
   const PictureMean march = mean_of(scene, settings_of(Media::march));
   for (const Media media : {Media::equiangular, Media::area_first})

@@ -22,7 +22,7 @@ RenderSettings tiny(Strategy strategy, Media media) {
   return {.width = 64, .height = 48, .spp = 4, .strategy = strategy, .media = media, .steps = 2};
 }
 
-TEST(Scenes, many_lights_are_64_of_every_kind) {
+TEST(ScenesSlow, many_lights_are_64_of_every_kind) {
   const Scene scene = read_scene(std::filesystem::path(WAVEFRONT_SCENES) / "many-lights.xml");
   EXPECT_TRUE(scene.ignored.empty());
   EXPECT_EQ(LightTable(scene).size(), 64u);
@@ -44,7 +44,7 @@ double error_of(const Scene& scene, const RayTracer& tracer, const Image& refere
   return mean_squared_error(render(scene, tracer, settings, "").image, reference);
 }
 
-TEST(Scenes, many_lights_are_better_chosen_by_solid_angle) {
+TEST(ScenesSlow, many_lights_are_better_chosen_by_solid_angle) {
   const Scene scene = read_scene(std::filesystem::path(WAVEFRONT_SCENES) / "many-lights.xml");
   const RayTracer tracer(scene);
   RenderSettings settings = tiny(Strategy::light, Media::equiangular);
@@ -74,7 +74,7 @@ TEST(Scenes, medium_renders) {
 }
 
 /// The paper's Figure 8: area sampling loses even with its better strategy, and far more without.
-TEST(Scenes, medium_wants_solid_angle_sampling) {
+TEST(ScenesSlow, medium_wants_solid_angle_sampling) {
   const Scene scene = read_scene(std::filesystem::path(WAVEFRONT_SCENES) / "medium.xml");
   const RayTracer tracer(scene);
   RenderSettings settings = tiny(Strategy::light, Media::equiangular);
