@@ -42,6 +42,8 @@ inline V area_of(const EllipseLight<V>& light) {
 template <class Cone>
 class AreaMap {
  public:
+  static constexpr bool is_cheap = true;  // so cheap that where the light lies counts
+
   using V = typename Cone::Vector;
   using Light = typename Cone::Light;
 

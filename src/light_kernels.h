@@ -33,6 +33,12 @@ template <template <class> class Map, class Light, class V>
   return Map<V>(light, x, y, z);
 }
 
+/// Of maps that say so themselves.
+template <class Map>
+inline constexpr bool is_cheap = requires {
+  Map::is_cheap;
+};
+
 template <template <class> class Map, class Constants>
 void sample(const SampleJob<Constants>& shared_job, std::size_t begin, std::size_t end) {
   const SampleJob<Constants> job = shared_job;  // our own copy, which no store through an output can change
@@ -47,11 +53,23 @@ void sample(const SampleJob<Constants>& shared_job, std::size_t begin, std::size
   const std::size_t middle = end_of_whole_packets(begin, end);
   if (begin != middle) {
     PacketLights<WidePacket, Constants> lights(job.lights);
-    for_each_whole_packet(begin, middle, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
-      const Map<WidePacket> map(lights.of(i, lanes<WidePacket>), load(memory, 0, i), load(memory, 1, i),
-                                load(memory, 2, i));
-      sample_all(map, memory, i);
-    });
+    const auto sample_packets = [&](const auto& lights_at) HATBOX_INLINE {
+      for_each_whole_packet(begin, middle, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
+        const Map<WidePacket> map(lights_at(i), load(memory, 0, i), load(memory, 1, i), load(memory, 2, i));
+        sample_all(map, memory, i);
+      });
+    };
+    const auto gathered = [&](std::size_t i) HATBOX_INLINE -> const auto& { return lights.of(i, lanes<WidePacket>); };
+    if constexpr (is_cheap<Map<WidePacket>>) {
+      if (job.lights.index == nullptr) {
+        const auto light = lights.of(begin, lanes<WidePacket>);  // our own too, to be kept in registers
+        sample_packets([&](std::size_t) HATBOX_INLINE -> const auto& { return light; });
+      } else {
+        sample_packets(gathered);
+      }
+    } else {
+      sample_packets(gathered);
+    }
   }
   if (middle != end) {
     PacketLights<Packet, Constants> lights(job.lights);
