@@ -31,8 +31,8 @@ class KindBlock {
   void for_each_kind(const LightSet::Data& set, const KernelTable& table, std::span<const std::uint32_t> light,
                      const CallArrays& call, std::size_t begin, std::size_t end, const Run& run) {
     const std::span<const std::uint32_t> lights = light.subspan(begin, end - begin);
-    if (const std::optional<std::size_t> kind = sort(set, table, lights))
-      return run(*kind, call, light.data(), begin, end);
+    const std::optional<std::size_t> only = sort(set, table, lights);
+    if (only) return run(*only, call, light.data(), begin, end);
     CallArrays block = points_of(call, table, begin, lights.size());
     for (std::size_t j = 0; j < call.size.per_point; j += most_per_point) {
       block.size.per_point = std::min(most_per_point, call.size.per_point - j);

@@ -49,47 +49,46 @@ void check_indices(const LightSet& set, Indices light, std::size_t points) {
 /// someone enqueues a task there.
 std::size_t arena_threads() { return static_cast<std::size_t>(std::max(tbb::this_task_arena::max_concurrency(), 2)); }
 
-/// Calls run(kind, arrays, lights, begin, end) for all points of a call, a block and a kind at a time.
+/// For all points of a call, a block and a kind at a time, calls run(lights, kernels of their map, kernel of their
+/// solid angle, arrays, begin, end).
 template <class Run>
 void for_each_kind(Schedule schedule, const LightSet& set, Indices light, const CallArrays& call, Workspace& workspace,
-                   const KernelTable& table, const Run& run) {
+                   const Run& run) {
   check_indices(set, light, call.size.points);
+  const KernelTable& table = active_kernels();
   const std::size_t per_point = call.size.per_point, step = KindBlock::points(per_point);
   if (schedule.grain == 0) schedule.grain = step;
   schedule.parallel = schedule.parallel && call.size.points > block_size(schedule.grain, per_point);
   workspace.data().reserve(schedule.parallel ? arena_threads() : 1);
+  const auto run_kind = [&](std::size_t kind, const CallArrays& arrays, const std::uint32_t* index, std::size_t begin,
+                            std::size_t end) {
+    set.data().visit(kind, table, index, [&](const auto& lights, const auto& kernels, auto solid_angle) {
+      run(lights, kernels, solid_angle, arrays, begin, end);
+    });
+  };
   run_blocks(schedule, call.size.points, per_point, [&](std::size_t begin, std::size_t end) {
     KindBlock& block = workspace.data().of(schedule.parallel ? tbb::this_task_arena::current_thread_index() : 0);
     for (std::size_t i = begin; i < end; i += step) {
-      block.for_each_kind(set.data(), table, light, call, i, std::min(end, i + step), run);
+      block.for_each_kind(set.data(), table, light, call, i, std::min(end, i + step), run_kind);
     }
   });
 }
 
-void call_sample(const Schedule& schedule, const LightSet& set, Indices light, const CallArrays& arrays,
+void call_sample(const Schedule& schedule, const LightSet& set, Indices light, const CallArrays& call,
                  Workspace& workspace) {
-  const KernelTable& table = active_kernels();
-  for_each_kind(
-      schedule, set, light, arrays, workspace, table,
-      [&](std::size_t kind, const CallArrays& block, const std::uint32_t* lights, std::size_t begin, std::size_t end) {
-        set.data().visit(kind, table, lights, [&](const auto& rows, const auto& kernels, auto) {
-          kernels.sample(sample_job(rows, block), begin, end);
-        });
-      });
+  for_each_kind(schedule, set, light, call, workspace,
+                [](const auto& lights, const auto& kernels, auto, const CallArrays& arrays, std::size_t begin,
+                   std::size_t end) { kernels.sample(sample_job(lights, arrays), begin, end); });
 }
 
 /// `kernel` picks a query's kernel from those of a map and that of the solid angle.
 template <class Pick>
-void call_query(const Schedule& schedule, const LightSet& set, Indices light, const CallArrays& arrays,
+void call_query(const Schedule& schedule, const LightSet& set, Indices light, const CallArrays& call,
                 Workspace& workspace, const Pick& kernel) {
-  const KernelTable& table = active_kernels();
   for_each_kind(
-      schedule, set, light, arrays, workspace, table,
-      [&](std::size_t kind, const CallArrays& block, const std::uint32_t* lights, std::size_t begin, std::size_t end) {
-        set.data().visit(kind, table, lights, [&](const auto& rows, const auto& kernels, auto solid_angle) {
-          kernel(kernels, solid_angle)(query_job(rows, block), begin, end);
-        });
-      });
+      schedule, set, light, call, workspace,
+      [&](const auto& lights, const auto& kernels, auto solid_angle, const CallArrays& arrays, std::size_t begin,
+          std::size_t end) { kernel(kernels, solid_angle)(query_job(lights, arrays), begin, end); });
 }
 
 void call_pdf(const Schedule& schedule, const LightSet& set, Indices light, const Points& points,
