@@ -42,44 +42,39 @@ HATBOX_INLINE inline Pair<V> product(const Pair<V>& x, const Pair<V>& y) {
   return two_sum(high.high, high.low + fma(x.high, y.low, x.low * y.high));
 }
 
-/// a · b for a b of twice the precision, as if computed in that and then rounded (Ogita, Rump and Oishi 2005,
-/// Dot2, with the low part of b carried to first order).
+/// a · b as if computed in twice the precision: an unevaluated sum (Ogita, Rump and Oishi 2005, Dot2).
 template <class V>
-HATBOX_INLINE inline V dot(const V (&a)[3], const V (&b_high)[3], const V (&b_low)[3]) {
-  const Pair<V> p0 = two_product(a[0], V(b_high[0]));
-  const Pair<V> p1 = two_product(a[1], V(b_high[1]));
-  const Pair<V> p2 = two_product(a[2], V(b_high[2]));
+HATBOX_INLINE inline Pair<V> dot_pair(const V (&a)[3], const V (&b)[3]) {
+  const Pair<V> p0 = two_product(a[0], b[0]);
+  const Pair<V> p1 = two_product(a[1], b[1]);
+  const Pair<V> p2 = two_product(a[2], b[2]);
   const Pair<V> s1 = two_sum(p0.high, p1.high);
   const Pair<V> s2 = two_sum(s1.high, p2.high);
-  V low = (p0.low + p1.low) + p2.low + (s1.low + s2.low);
-  for (int i = 0; i < 3; ++i) low = fma(a[i], V(b_low[i]), low);
-  return s2.high + low;
+  return {s2.high, (p0.low + p1.low) + p2.low + (s1.low + s2.low)};
 }
 
-/// a · b, both of twice the precision, as if computed in that: an unevaluated sum.
-template <class V>
-HATBOX_INLINE inline Pair<V> dot_pair(const Pair<V> (&a)[3], const V (&b_high)[3], const V (&b_low)[3]) {
-  const Pair<V> p0 = two_product(a[0].high, V(b_high[0]));
-  const Pair<V> p1 = two_product(a[1].high, V(b_high[1]));
-  const Pair<V> p2 = two_product(a[2].high, V(b_high[2]));
-  const Pair<V> s1 = two_sum(p0.high, p1.high);
-  const Pair<V> s2 = two_sum(s1.high, p2.high);
-  V low = (p0.low + p1.low) + p2.low + (s1.low + s2.low);
-  for (int i = 0; i < 3; ++i) low = fma(a[i].high, V(b_low[i]), fma(a[i].low, V(b_high[i]), low));
-  return {s2.high, low};
-}
-
-/// a · b, a of twice the precision, as if computed in that.
+/// The same, a of twice the precision.
 template <class V>
 HATBOX_INLINE inline Pair<V> dot_pair(const Pair<V> (&a)[3], const V (&b)[3]) {
-  const Pair<V> p0 = two_product(a[0].high, b[0]);
-  const Pair<V> p1 = two_product(a[1].high, b[1]);
-  const Pair<V> p2 = two_product(a[2].high, b[2]);
-  const Pair<V> s1 = two_sum(p0.high, p1.high);
-  const Pair<V> s2 = two_sum(s1.high, p2.high);
-  V low = (p0.low + p1.low) + p2.low + (s1.low + s2.low);
+  auto [high, low] = dot_pair({a[0].high, a[1].high, a[2].high}, b);
   for (int i = 0; i < 3; ++i) low = fma(a[i].low, b[i], low);
-  return {s2.high, low};
+  return {high, low};
+}
+
+/// The same, both of twice the precision.
+template <class V>
+HATBOX_INLINE inline Pair<V> dot_pair(const Pair<V> (&a)[3], const V (&b_high)[3], const V (&b_low)[3]) {
+  auto [high, low] = dot_pair({a[0].high, a[1].high, a[2].high}, b_high);
+  for (int i = 0; i < 3; ++i) low = fma(a[i].high, b_low[i], fma(a[i].low, b_high[i], low));
+  return {high, low};
+}
+
+/// a · b, b of twice the precision, rounded. The low part of b is carried to first order.
+template <class V>
+HATBOX_INLINE inline V dot(const V (&a)[3], const V (&b_high)[3], const V (&b_low)[3]) {
+  auto [high, low] = dot_pair(a, b_high);
+  for (int i = 0; i < 3; ++i) low = fma(a[i], b_low[i], low);
+  return high + low;
 }
 
 /// √(x² + y²), also where the squares would underflow.
