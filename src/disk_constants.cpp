@@ -36,7 +36,6 @@ DiskConstantsOf<T> constants_of(const Disk& light) {
   set_split(constants.axes[2], constants.normal_lo, frame.n);
   constants.radius = light.radius;
   constants.inverse_radius = static_cast<T>(1 / radius);
-  constants.unit = static_cast<T>(unit);
   constants.inverse_unit = static_cast<T>(1 / unit);
   constants.per_unit = static_cast<T>(unit / radius);
   return constants;

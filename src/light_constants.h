@@ -16,8 +16,8 @@ struct DiskConstantsOf {
   T axes[3][3];    // rows axis_u, axis_v, normal: unit vectors
   T normal_lo[3];  // what rounding left of the normal
   T radius, inverse_radius;
-  T unit, inverse_unit;  // the power of two at or next below the radius
-  T per_unit;            // unit/radius
+  T inverse_unit;  // of the power of two at or next below the radius
+  T per_unit;      // that over the radius
 };
 using DiskConstants = DiskConstantsOf<float>;
 
