@@ -28,9 +28,9 @@ def make(context):
         axis.set_xlabel("distance, radii (half edges)")
     figure.colorbar(mesh, ax=axes, label="relative error, the largest of 289 samples", shrink=0.6)
     context.figure(figure, "accuracy/maps.png",
-                   "Relative errors against references of more digits. Yellow and black: no digit right, or not a number. The "
-                   "papers' formulas are differences of nearly equal numbers where the light is small; the angle η "
-                   "(src/eta_series.h) and differences of arc tangents (src/rectangle_strips.h) are not.")
+                   "Relative errors against references of more digits. Yellow and black: no digit right, or not a "
+                   "number. The papers' formulas are differences of nearly equal numbers where the light is small; the "
+                   "angle η (src/eta_series.h) and differences of arc tangents (src/rectangle_strips.h) are not.")
     quantile_table(context, rows)
 
 

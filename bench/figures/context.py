@@ -1,4 +1,4 @@
-"""Where one run of the figures keeps its things: runs the programs, collects what the page shows, tells how far it is."""
+"""Where one run of the figures keeps its things: runs programs, collects what the page shows, tells how far it is."""
 import csv
 import json
 import pathlib

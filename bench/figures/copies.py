@@ -1,7 +1,7 @@
 """Reduced copies of the page's pictures, to be committed beside README.md."""
 from PIL import Image
 
-WIDTH, COLOURS, LARGEST = 1000, 64, 100_000  # pixels, palette, bytes
+WIDTH, COLOURS, LARGEST = 1000, 256, 200_000  # pixels, palette, bytes
 
 
 def write(context, directory):

@@ -15,9 +15,9 @@ SIZE = "128x96"
 
 def make(context):
     context.heading("Curves (GUK17 Fig. 6, UFK13 Fig. 7)")
-    context.text(f"wavefront SCENE --compare MAPS --spp N --reference-spp REFERENCE --size {SIZE}, for each N; REFERENCE "
-                 "is 1024, or 4N if that is more. Errors are those of light sampling alone, less the reference's own. "
-                 "Times are of this machine as busy as it was: compare them within one column.")
+    context.text(f"wavefront SCENE --compare MAPS --spp N --reference-spp REFERENCE --size {SIZE}, for each N; "
+                 "REFERENCE is 1024, or 4N if that is more. Errors are those of light sampling alone, less the "
+                 "reference's own. Times are of this machine as busy as it was: compare them within one column.")
     maps = surfaces.DISK_MAPS + ("auto",)
     disk = measure(context, "disk", "spheres.xml", maps)
     plot(context, "disk", disk, "A disk on surfaces")
@@ -82,7 +82,7 @@ def plot(context, name, results, title):
         axis.set_xlabel(x)
         axis.set_ylabel(y)
         axis.grid(alpha=0.3)
-    axes[0].legend(fontsize=8)
+    axes[0].legend(fontsize=8, loc="lower left")
     figure.suptitle(title)
     figure.tight_layout()
     context.figure(figure, f"curves/{name}.png", title)

@@ -87,9 +87,9 @@ def draw_lines(axis, places):
 
 def continuity_table(context, rows):
     context.text("Largest distance on the sphere between the images of neighbours in a lattice of n² points, over the "
-                 "median. From n = 128 to 512 it stays for a map with bounded derivatives, doubles where a map goes like "
-                 "a square root (the centre of a polar map), grows by 4^(2/3) = 2.5 where it goes like a cube root (the "
-                 "ends of the parallel map's slices), and fourfold where a map tears neighbours apart.")
+                 "median. From n = 128 to 512 it stays for a map with bounded derivatives, doubles where a map goes "
+                 "like a square root (the centre of a polar map), grows by 4^(2/3) = 2.5 where it goes like a cube "
+                 "root (the ends of the parallel map's slices), and fourfold where a map tears neighbours apart.")
     coarse = {(row["light"], row["map"]): row for row in rows if row["n"] == 128}
     table = []
     for row in rows:

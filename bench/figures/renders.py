@@ -20,15 +20,19 @@ def mse(report, map_name):
     return max(row["mse"] - report["reference"]["mse"], 0)
 
 
-def sheet(context, report, name, caption, labels=None):
-    """The maps above, their differences from the reference below."""
+def sheet(context, report, name, caption):
+    """The maps, at most four in a row, and below each its difference from the reference."""
     maps = [row["map"] for row in report["rows"]]
-    figure, axes = plt.subplots(2, len(maps), figsize=(3.2 * len(maps), 5), squeeze=False)
-    for column, map_name in enumerate(maps):
-        axes[0, column].imshow(plt.imread(report["directory"] / f"{map_name}.png"))
-        axes[1, column].imshow(plt.imread(report["directory"] / f"{map_name}_error.png"))
-        axes[0, column].set_title((labels or {}).get(map_name, map_name))
-        axes[1, column].set_xlabel(f"MSE {mse(report, map_name):.3g}")
+    columns = 3 if len(maps) % 3 == 0 else min(4, len(maps))
+    rows = -(-len(maps) // columns)
+    figure, axes = plt.subplots(2 * rows, columns, figsize=(3.2 * columns, 5 * rows), squeeze=False)
+    for i, map_name in enumerate(maps):
+        row, column = divmod(i, columns)
+        picture, error = axes[2 * row:2 * row + 2, column]
+        picture.imshow(plt.imread(report["directory"] / f"{map_name}.png"))
+        error.imshow(plt.imread(report["directory"] / f"{map_name}_error.png"))
+        picture.set_title(map_name)
+        error.set_xlabel(f"MSE {mse(report, map_name):.3g}")
     for axis in axes.flat:
         axis.set_xticks([])
         axis.set_yticks([])
