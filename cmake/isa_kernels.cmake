@@ -59,6 +59,16 @@ file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/kernels)
 # g++ 12 warns of its own AVX-512 header, whose undefined vectors are undefined on purpose (GCC bug 105593).
 set(avx512_header_warnings $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized>)
 
+# g++ moves structs of vectors in pieces of 16 bytes otherwise, and reading such a vector back whole waits for the pieces.
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag(-mmove-max=256 hatbox_has_move_max)
+set(hatbox_move_256)
+set(hatbox_move_512)
+if(hatbox_has_move_max)
+  set(hatbox_move_256 -mmove-max=256 -mstore-max=256)
+  set(hatbox_move_512 -mmove-max=512 -mstore-max=512)
+endif()
+
 # THE list, slowest first: what the kernels are compiled with (FLAGS), which xsimd arch they use (ARCH; none: plain
 # float), and all that a CPU and its operating system must offer to run them (CPU, as __builtin_cpu_supports names it).
 # -msse4.2 and everything above it lets the compiler use popcnt too.
@@ -69,11 +79,12 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
     ARCH xsimd::sse4_2
     CPU sse4.2 popcnt)
   hatbox_add_isa(avx2
-    FLAGS -mavx2 -mfma
+    FLAGS -mavx2 -mfma ${hatbox_move_256}
     ARCH xsimd::fma3<xsimd::avx2>
     CPU avx2 fma popcnt)
   hatbox_add_isa(avx512
-    FLAGS -mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx512vl -mavx2 -mfma ${avx512_header_warnings}
+    FLAGS -mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx512vl -mavx2 -mfma ${hatbox_move_512}
+          ${avx512_header_warnings}
     ARCH xsimd::avx512bw
     CPU avx512f avx512cd avx512dq avx512bw avx512vl avx2 fma popcnt)
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")

@@ -51,20 +51,20 @@ class AreaMap {
     for (int i = 0; i < 3; ++i) l_[i] = (V(light.center[i]) - point_[i]) * V(light.inverse_radius);
     height_ = along(light.axes[2], l_);
     // The projection of an area A on a sphere of distance 1 is A|h|/distance³.
-    density_ = V(1) / (V(area_of(light)) * abs(height_));
+    volume_ = V(area_of(light)) * abs(height_);
   }
 
   HATBOX_INLINE LightSample<V> sample(V u, V v) const {
     const Polar<V> polar = concentric(u, v);
     const Place<V> place = {polar.radius * polar.angle.cos, polar.radius * polar.angle.sin};
-    return to(place).sample(place, height_, light_.radius, is_finite(u + v));
+    return to(place).sample(place, height_, light_.radius, u + v);
   }
 
   V pdf_of_place(const Place<V>& place) const { return to(place).pdf_where(on_unit_disk(place)); }
 
   V pdf_of_direction(const V (&direction)[3]) const {
     const Hit hit = intersect(direction);
-    return area_pdf(hit.distance, density_, hit.inside);
+    return area_pdf(hit.distance, volume_, hit.inside);
   }
 
   Square<V> invert(const V (&direction)[3]) const {
@@ -84,7 +84,7 @@ class AreaMap {
   };
 
   HATBOX_INLINE AreaRay<V> to(const Place<V>& place) const {
-    return {l_, span(light_, 0), span(light_, 1), sorted_place(light_, place), density_};
+    return {l_, span(light_, 0), span(light_, 1), sorted_place(light_, place), volume_};
   }
 
   Hit intersect(const V (&direction)[3]) const {
@@ -103,9 +103,9 @@ class AreaMap {
 
   const Light& light_;
   V point_[3];
-  V l_[3];     // from the shading point to the light's centre, in its units
-  V height_;   // signed, along the normal
-  V density_;  // of a direction, less the factor distance³
+  V l_[3];    // from the shading point to the light's centre, in its units
+  V height_;  // signed, along the normal
+  V volume_;  // area · |height|, for the density of a direction
 };
 
 }  // namespace

@@ -8,27 +8,30 @@ namespace {
 
 template <class V>
 struct AreaRay {
-  /// To origin + s·span_s + t·span_t. Lengths are in units of the light, from the shading point; `density` is that of a
-  /// direction at distance 1.
+  /// To origin + s·span_s + t·span_t. Lengths are in units of the light, from the shading point; `volume` is the
+  /// light's area times the height of the point above its plane.
   HATBOX_INLINE AreaRay(const V (&origin)[3], const V (&span_s)[3], const V (&span_t)[3], const Place<V>& place,
-                        V density) {
+                        V volume) {
     for (int i = 0; i < 3; ++i) l[i] = fma(V(span_s[i]), place.s, fma(V(span_t[i]), place.t, origin[i]));
     const V distance2 = fma(l[0], l[0], fma(l[1], l[1], l[2] * l[2]));
-    clear = distance2 >= constant<V>(smallest_normal<V>);
     distance = sqrt(distance2);
-    inverse_distance = distance * (V(1) / distance2);  // the root and the quotient run side by side
-    pdf = distance2 * density * distance;
+    const V product = distance * volume;
+    clear = product >= constant<V>(smallest_normal<V>);
+    const V shared = V(1) / product;  // one division for 1/distance and for the density, distance³/volume
+    inverse_distance = volume * shared;
+    pdf = distance2 * (distance2 * shared);
   }
 
   /// Of a light whose plane is at a height, signed along its normal.
-  HATBOX_INLINE LightSample<V> sample(const Place<V>& place, V height, const V& unit, Mask<V> is_given) const {
+  /// `given`: not finite if what is given for the sample is not.
+  HATBOX_INLINE LightSample<V> sample(const Place<V>& place, V height, const V& unit, V given) const {
     LightSample<V> out;
     for (int i = 0; i < 3; ++i) out.direction[i] = l[i] * inverse_distance;
     out.distance = distance * V(unit);
     out.pdf = pdf;
     out.cosine = min(max(-height * inverse_distance, V(-1)), V(1));
     out.place = place;
-    out.valid = honest(is_given && clear && is_finite(out.distance), out.pdf);
+    out.valid = honest(clear && is_finite(given + out.distance), out.pdf);
     return out;
   }
 
@@ -37,13 +40,13 @@ struct AreaRay {
   V l[3];
   V distance, inverse_distance;
   V pdf;
-  Mask<V> clear;  // of the place, by more than what underflows when squared
+  Mask<V> clear;  // of the light: nothing underflows
 };
 
-/// The density of a direction that ends at this distance; `density` as above.
+/// The density of a direction that ends at this distance; `volume` as above.
 template <class V>
-inline V area_pdf(V distance, V density, Mask<V> hit) {
-  const V pdf = distance * distance * density * distance;
+inline V area_pdf(V distance, V volume, Mask<V> hit) {
+  const V pdf = distance * distance / volume * distance;
   return select(honest(hit, pdf), pdf, V(0));
 }
 

@@ -1,12 +1,13 @@
 // The cone of directions from a shading point to a disk: the spherical ellipse's semi-axes, centre and frame, without
 // cancellation, and the way between its points and the disk's. Lengths are in radii of the disk.
 //
-// Source: Guillén et al. 2017, eq. 3-5, rearranged. With the heights and rim distances of the shading point
+// Source: Guillén et al. 2017, eq. 3-5, rearranged. With the height and the rim distances of the shading point
 //   ℓ0 = √((d − 1)² + h²),  ℓ1 = √((d + 1)² + h²),  L = ℓ0 ℓ1,  s = d² + h² − 1,  X = d² − h² − 1
 // the paper's quantities are
 //   sin α = 2/(ℓ0 + ℓ1),  k' = cos α/cos β = 2√L/(ℓ0 + ℓ1),
 //   2L sin² β = L − s,  2L cos² β = L + s,  (L − s)(L + s) = 4h²,
 //   2L m_t² = L + X,    2L m_n² = L − X,    (L − X)(L + X) = 4d²h²
+// and L² = s² + 4h², (ℓ0 + ℓ1)²/4 = 1 + (s + L)/2 give them without the distances themselves.
 // where m_t and m_n are the components of the ellipse's centre direction along t̂ (in the disk's plane, from the foot of
 // the shading point to the disk's centre) and along the axis. Of each pair the one that would cancel is formed from the
 // other. κ = (ℓ1 − ℓ0)/(ℓ1 + ℓ0) = √(1 − k'²) is how far off the disk's centre the centre direction meets it.
@@ -42,7 +43,7 @@ struct DiskCone : SphericalEllipse<V> {
   const DiskLight<V>& light;
   Mask<V> below;  // the shading point lies on the side of −normal
   V height, d;    // |h| and d of the above
-  V from_rim;     // d − 1
+  V d2_minus_1;   // d² − 1
   V t_u, t_v;     // t̂ in the disk's own axes; any unit vector for a point on the axis
   V kappa;
   V m_t, m_n;
@@ -101,33 +102,29 @@ HATBOX_INLINE inline DiskCone<V>::DiskCone(const DiskLight<V>& disk, V x, V y, V
   const Pair<V> uu = two_product(l.u, l.u), vv = two_product(l.v, l.v);
   const Pair<V> sum = two_sum(uu.high, vv.high);
   const Pair<V> rest = two_sum(sum.high, V(-1));
-  const V d2_minus_1 = rest.high + (rest.low + (sum.low + (uu.low + vv.low)));
+  d2_minus_1 = rest.high + (rest.low + (sum.low + (uu.low + vv.low)));
   const V d2 = sum.high;
   const Mask<V> off_axis = d2 >= constant<V>(smallest_normal<V>);
   d = select(off_axis, sqrt(d2), V(0));
-  const V far = d + V(1);
-  const V nonzero_d = select(off_axis, d, V(1));
-  const V shared = V(1) / (nonzero_d * far);  // one division for 1/d and 1/(d + 1)
-  const V inverse_d = far * shared;
+  const V inverse_d = V(1) / select(off_axis, d, V(1));
   t_u = select(off_axis, l.u * inverse_d, V(1));
   t_v = select(off_axis, l.v * inverse_d, V(0));
 
   const V h2 = height * height;
-  from_rim = d2_minus_1 * (nonzero_d * shared);
-  const V rim0 = length_of_small(from_rim, height);
-  const V rim1 = sqrt(fma(far, far, h2));
-  const V L = rim0 * rim1;
+  const V s = d2_minus_1 + h2;
+  const V L = length_of(s, V(2) * height);
   const V inverse_L = V(1) / L;
-  const Halves<V> beta = halves(inverse_L, d2_minus_1 + h2, height);
+  const Halves<V> beta = halves(inverse_L, s, height);
   const Halves<V> m = halves(inverse_L, d2_minus_1 - h2, height * d);
-  const V inverse_a = V(0.5) * (rim0 + rim1);
-  const V a_over_b = V(1) / (beta.minus * inverse_a);
+  const V inverse_a2 = fma(V(0.5), s + L, V(1));  // what cancels next to the disk is small beside 1
+  const V a2 = V(1) / inverse_a2;
+  const V inverse_a = sqrt(inverse_a2);
   this->b = beta.minus;
-  this->a = min(this->b * a_over_b, V(1));
-  this->inverse_ab = inverse_a * inverse_a * a_over_b;
+  this->a = min(inverse_a * a2, V(1));
+  this->inverse_ab = inverse_a / this->b;
   this->cos_beta = beta.plus;
-  this->k2 = L * this->a * this->a;
-  kappa = this->a * this->a * d;
+  this->k2 = L * a2;
+  kappa = a2 * d;
   m_t = m.plus;
   m_n = m.minus;
   height_over_m_n = select(m.positive, L * (m.large * inverse_d), height * m.inverse_large);
@@ -140,11 +137,11 @@ struct Descent {
   V value, inverse;
 };
 
-/// Of `conjugate`, or where that is the conjugate of what is wanted, of their product over it.
+/// Of `conjugate`, or where that is the conjugate of what is wanted, of their product over it; all times `scale`.
 template <class V>
-HATBOX_INLINE inline Descent<V> descent_by_conjugate(Mask<V> away, V product, V conjugate) {
+HATBOX_INLINE inline Descent<V> descent_by_conjugate(Mask<V> away, V product, V conjugate, V scale) {
   const V numerator = select(away, product, conjugate);
-  const V denominator = select(away, conjugate, V(1));
+  const V denominator = select(away, conjugate, scale);
   return {numerator / denominator, denominator / numerator};
 }
 
@@ -155,9 +152,9 @@ template <class V>
 HATBOX_INLINE inline Descent<V> descent(const DiskCone<V>& cone, const EllipsePoint<V>& q) {
   const V tilt = cone.kappa * cone.cos_beta * q.y;
   const V conjugate = q.z + abs(tilt);
-  const V X = cone.cos_beta * q.x;  // over k'
-  const V product = fma(cone.kappa * cone.kappa, fma(cone.k2 * X, X, q.inwards), cone.k2 * (q.z * q.z));
-  return descent_by_conjugate(tilt > V(0), product, conjugate);
+  const V XX = cone.k2 * (cone.cos_beta * cone.cos_beta) * q.xx;
+  const V product = fma(cone.kappa * cone.kappa, XX + q.inwards, cone.k2 * q.zz);
+  return descent_by_conjugate(tilt > V(0), product, conjugate, q.scale);
 }
 
 // On the disk the place of q is a Möbius map of the tangent ellipse's unit disk:
@@ -166,14 +163,14 @@ HATBOX_INLINE inline Descent<V> descent(const DiskCone<V>& cone, const EllipsePo
 template <class V>
 HATBOX_INLINE inline void DiskCone<V>::emit(const EllipsePoint<V>& q, LightSample<V>& out) const {
   const Descent<V> down = descent(*this, q);
-  const V q_x = this->a * q.x;
-  const V q_t = fma(m_t, q.z, m_n * (this->b * q.y));
+  const V q_x = this->a * q.x * q.inverse_scale;
+  const V q_t = fma(m_t, q.z, m_n * (this->b * q.y)) * q.inverse_scale;
   const V q_n = m_n * down.value;
   const V along[3] = {fma(q_t, t_u, -(q_x * t_v)), fma(q_t, t_v, q_x * t_u), select(below, q_n, -q_n)};
   set_direction(light.axes, along, out);
   const V distance = height_over_m_n * down.inverse;
   out.distance = distance * V(light.radius);
-  const V far_tau = fma(-kappa, q.z, this->cos_beta * q.y) * down.inverse;
+  const V far_tau = fma(-kappa, q.z, this->cos_beta * q.y) * q.inverse_scale * down.inverse;
   const V near_tau = fma(distance, q_t, -d);
   const V tau = select(kappa < V(0.5), far_tau, near_tau);
   const V sigma = distance * q_x;

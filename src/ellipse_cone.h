@@ -222,21 +222,22 @@ HATBOX_INLINE inline Descent<V> descent(const EllipseCone<V>& cone, const Ellips
   const V tilt = fma(cone.tilt[0], q.x, cone.tilt[1] * q.y);
   const V cross = fma(cone.cross[0], q.y, -(cone.cross[1] * q.x));
   const V conjugate = q.z + abs(tilt);
-  const V product = fma(cone.kappa2, q.inwards, fma(cone.nearness, q.z * q.z, cross * cross));
-  return descent_by_conjugate(tilt > V(0), product, conjugate);
+  const V product = fma(cone.kappa2, q.inwards, fma(cone.nearness, q.zz, cross * cross * q.inverse_scale));
+  return descent_by_conjugate(tilt > V(0), product, conjugate, q.scale);
 }
 
 template <class V>
 HATBOX_INLINE inline void EllipseCone<V>::emit(const EllipsePoint<V>& q, LightSample<V>& out) const {
   const Descent<V> down = descent(*this, q);
   const V q_n = m_n * down.value;
-  const V along[3] = {fma(x_axis[0], q.x, fma(y_axis[0], q.y, z_axis[0] * q.z)),
-                      fma(x_axis[1], q.x, fma(y_axis[1], q.y, z_axis[1] * q.z)), select(below, q_n, -q_n)};
+  const V along[3] = {fma(x_axis[0], q.x, fma(y_axis[0], q.y, z_axis[0] * q.z)) * q.inverse_scale,
+                      fma(x_axis[1], q.x, fma(y_axis[1], q.y, z_axis[1] * q.z)) * q.inverse_scale,
+                      select(below, q_n, -q_n)};
   set_direction(light.axes, along, out);
   out.distance = reach * down.inverse * V(light.radius);
   const auto place = [&](int i) HATBOX_INLINE {
     const V numerator = fma(place_row[i][0], q.x, fma(place_row[i][1], q.y, place_row[i][2] * q.z));
-    return fma(numerator, down.inverse, -origin[i]);
+    return fma(numerator, q.inverse_scale * down.inverse, -origin[i]);
   };
   out.place = sorted({place(0), place(1)});
 }

@@ -68,14 +68,14 @@ struct RectangleLight : RectangleConstantsOf<V> {
       in_units[i] = this->length[i] * inverse_unit;
       for (int axis = 0; axis < 3; ++axis) edges[i][axis] = this->axes_hi[i][axis] * in_units[i];
     }
-    inverse_area = V(1) / in_units[0] / in_units[1];
+    area = in_units[0] * in_units[1];
   }
 
   V inverse_length[2];
   V unit;  // the power of two at or next below the longer edge: what area sampling measures in, so as not to overflow
   V inverse_unit;
-  V edges[2][3];   // in units
-  V inverse_area;  // in units
+  V edges[2][3];  // in units
+  V area;         // in units
 };
 
 /// Lengths are in units of `unit`, a power of two near the longest side. Side i lies opposite vertex i and runs
@@ -100,7 +100,7 @@ struct TriangleLight : TriangleConstantsOf<V> {
     side_length[1] = sqrt(fma(apex_x.high, apex_x.high, apex_y.high * apex_y.high));
     side_length[2] = base.high;
     doubled_area = base.high * apex_y.high;
-    inverse_area = V(2) / doubled_area;
+    area = V(0.5) * doubled_area;
     for (int i = 0; i < 3; ++i) {
       axes_lo[0][i] = this->x_lo[i];
       axes_lo[1][i] = rest_of_y((i + 1) % 3, (i + 2) % 3, i);
@@ -125,7 +125,7 @@ struct TriangleLight : TriangleConstantsOf<V> {
   Pair<V> apex_x, apex_y;  // of c − a
   Pair<V> from_b;          // x of c − b
   V side_length[3];
-  V doubled_area, inverse_area;
+  V doubled_area, area;
   V edges[2][3];  // b − a and c − a along the world's axes
 };
 

@@ -38,7 +38,7 @@ template <class T>
 }
 
 /// The power of two at or next below a length > 0.
-inline double power_of_two_below(double length) { return std::exp2(std::ilogb(length)); }
+inline double power_of_two_below(double length) { return std::ldexp(1.0, std::ilogb(length)); }
 
 template <class T>
 void set_vector(T (&to)[3], const Double3& v) {

@@ -16,7 +16,7 @@ HATBOX_INLINE inline void store_sample(const SampleJob<Constants>& job, const Me
                                        const LightSample<V>& sample) {
   const auto put = [&](float* to, V value) HATBOX_INLINE {
     // + 0 makes 0 of −0, whose sign a negation gives on some instruction sets and not on others.
-    if (to != nullptr) memory.store(to + at, select(sample.valid, value, V(0)) + V(0));
+    if (to != nullptr) memory.store(to + at, select(sample.valid, value + V(0), V(0)));
   };
   for (int axis = 0; axis < 3; ++axis) put(job.direction[axis], sample.direction[axis]);
   put(job.distance, sample.distance);
@@ -42,8 +42,9 @@ inline constexpr bool is_cheap = requires {
 template <template <class> class Map, class Constants>
 void sample(const SampleJob<Constants>& shared_job, std::size_t begin, std::size_t end) {
   const SampleJob<Constants> job = shared_job;  // our own copy, which no store through an output can change
-  const auto sample_all = [&](const auto& map, const auto& memory, std::size_t i) HATBOX_INLINE {
-    for (std::size_t j = 0; j < job.samples_per_point; ++j) {
+  // `count` is a number or, where the loop is to vanish, a constant
+  const auto sample_all = [&](const auto& map, const auto& memory, std::size_t i, auto count) HATBOX_INLINE {
+    for (std::size_t j = 0; j < count; ++j) {
       const std::size_t at = j * job.points + i;
       store_sample(job, memory, at, map.sample(memory.load(job.u + at), memory.load(job.v + at)));
     }
@@ -53,22 +54,25 @@ void sample(const SampleJob<Constants>& shared_job, std::size_t begin, std::size
   const std::size_t middle = end_of_whole_packets(begin, end);
   if (begin != middle) {
     PacketLights<WidePacket, Constants> lights(job.lights);
-    const auto sample_packets = [&](const auto& lights_at) HATBOX_INLINE {
+    const auto sample_packets = [&](const auto& lights_at, auto count) HATBOX_INLINE {
       for_each_whole_packet(begin, middle, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
         const Map<WidePacket> map(lights_at(i), load(memory, 0, i), load(memory, 1, i), load(memory, 2, i));
-        sample_all(map, memory, i);
+        sample_all(map, memory, i, count);
       });
     };
     const auto gathered = [&](std::size_t i) HATBOX_INLINE -> const auto& { return lights.of(i, lanes<WidePacket>); };
     if constexpr (is_cheap<Map<WidePacket>>) {
-      if (job.lights.index == nullptr) {
-        const auto light = lights.of(begin, lanes<WidePacket>);  // our own too, to be kept in registers
-        sample_packets([&](std::size_t) HATBOX_INLINE -> const auto& { return light; });
+      const auto light = lights.of(begin, lanes<WidePacket>);  // our own too, to be kept in registers
+      const auto same = [&](std::size_t) HATBOX_INLINE -> const auto& { return light; };
+      if (job.lights.index != nullptr) {
+        sample_packets(gathered, job.samples_per_point);
+      } else if (job.samples_per_point == 1) {
+        sample_packets(same, std::integral_constant<std::size_t, 1>());
       } else {
-        sample_packets(gathered);
+        sample_packets(same, job.samples_per_point);
       }
     } else {
-      sample_packets(gathered);
+      sample_packets(gathered, job.samples_per_point);
     }
   }
   if (middle != end) {
@@ -76,7 +80,7 @@ void sample(const SampleJob<Constants>& shared_job, std::size_t begin, std::size
     for_each_narrow_packet(middle, end, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
       const auto map =
           set_up<Map>(lights.of(i, memory.count), load(memory, 0, i), load(memory, 1, i), load(memory, 2, i));
-      sample_all(map, memory, i);
+      sample_all(map, memory, i, job.samples_per_point);
     });
   }
 }

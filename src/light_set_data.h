@@ -28,7 +28,10 @@ struct LightSet::Data {
   template <class Visit>
   void visit(std::size_t kind, const KernelTable& table, const std::uint32_t* light, const Visit& visit) const {
     const auto at = [](auto map) { return static_cast<std::size_t>(map); };
-    const auto rows = [&](const auto& lights) { return LightRows{lights.data(), light, bounds[kind]}; };
+    // the only one of its kind is given as to a call of its own: nothing need be gathered
+    const auto rows = [&](const auto& lights) {
+      return LightRows{lights.data(), lights.size() == 1 ? nullptr : light, bounds[kind]};
+    };
     if (kind == 0) return visit(rows(disks), table.disk[at(maps.disk)], table.disk_solid_angle);
     if (kind == 1) return visit(rows(ellipses), table.ellipse[at(maps.ellipse)], table.ellipse_solid_angle);
     if (kind == 2) return visit(rows(rectangles), table.rectangle[at(maps.rectangle)], table.rectangle_solid_angle);

@@ -45,8 +45,9 @@ struct AnyPacket {
 template <class Memory>
 using VectorOf = typename std::remove_cvref_t<Memory>::Vector;
 
-// Two packets at a time hide latencies where there are registers for both: with 32 of them, not with 16.
-#if defined(HATBOX_ISA_ARCH) && (defined(__AVX512F__) || defined(__aarch64__))
+// Two packets at a time hide latencies, even where what they keep outgrows the registers. Not so with SSE4.2, whose
+// fused multiply-add takes a dozen instructions.
+#if defined(HATBOX_ISA_ARCH) && (defined(__AVX2__) || defined(__aarch64__))
 using WidePacket = Twin<Packet>;
 #else
 using WidePacket = Packet;

@@ -3,9 +3,10 @@
 //
 // With sin φ_p = sin β sin ζ, C = cos²ζ, S = sin²ζ, A = cos²α, B = cos²β, D_α = C + A S and D_β = C + B S, eq. 9 and 11
 // become
-//   h_p = a cos ζ/√D_α,  dΩ_p⁺/dζ = 2ab C/√(D_α D_β),  Ω_p⁺ = 2ab sin ζ [R_F − S/3 R_J](C, D_α, D_β; 1)
-//     = 2 atan(ab sin ζ cos ζ/√(D_α D_β)) + 2ab AB/3 sin³ζ R_J(C, D_α, D_β; C + AB S)
-// symmetric in α and β.
+//   h_p = a cos ζ/√D_α,  dΩ_p⁺/dζ = 2ab C/√(D_α D_β)
+// Counted from the end, in ψ = π/2 − ζ, this is the second of the paper's two integrals alone, a positive term that is
+// right to a few ulp at the tip too:
+//   Ω_p⁺(π/2) − Ω_p⁺(ζ) = 2ab cos³ζ/3 · A/√B · R_J(A S, D_α, k'² D_β; A)
 #pragma once
 
 #include "carlson_map.h"
@@ -30,7 +31,7 @@ class ParallelCarlsonMap {
     cos2_beta_ = cone_.cos_beta * cone_.cos_beta;
     cos2_alpha_ = cone_.k2 * cos2_beta_;
     valid_ = cone_.valid && (cos2_alpha_ * cos2_beta_ >= constant<V>(smallest_));
-    half_ = slices(Slice(*this, {V(1), V(0)}));
+    half_ = rest_of(Slice(*this, {V(0), V(1)}));
     density_ = V(0.25) * cone_.inverse_ab / half_;
     valid_ = honest(valid_, density_);
     tip_ = cube_root(max(constant<V>(4 / pi) * half_ * sqrt(cos2_alpha_ * cos2_beta_), V(0x1p-25f)));
@@ -51,7 +52,7 @@ class ParallelCarlsonMap {
     LightSample<V> out;
     out.pdf = density_;
     const V y = radius * copysign(at.zeta.sin, across);
-    cone_.emit({w * eta_cos, y, radius * sqrt(at.beta), one_minus_w2 * at.cos2}, out);
+    cone_.emit(ellipse_point(w * eta_cos, y, radius * sqrt(at.beta), one_minus_w2 * at.cos2), out);
     out.valid = valid_ && is_finite(u + v) && is_finite(out.distance);
     return out;
   }
@@ -67,7 +68,7 @@ class ParallelCarlsonMap {
     const V b_y = cone_.b * q.y;
     const V sin = min(abs(q.y) / sqrt(fma(q.z, q.z, b_y * b_y)), V(1));
     const Slice at(*this, {sin, sqrt((V(1) - sin) * (V(1) + sin))});
-    const V share = V(0.5) * min(slices(at) / half_, V(1));
+    const V share = V(0.5) - V(0.5) * min(rest_of(at) / half_, V(1));
     const V eta_cos = at.zeta.cos * at.inverse_root_alpha;
     const V w = max(min(q.x / max(eta_cos, constant<V>(smallest_normal<V>)), V(1)), V(-1));
     const Mask<V> hit = q.inside && valid_;
@@ -93,12 +94,10 @@ class ParallelCarlsonMap {
     V inverse_root_alpha;
   };
 
-  /// Ω_p⁺/(2ab)
-  HATBOX_INLINE V slices(const Slice& at) const {
-    const V product = cos2_alpha_ * cos2_beta_;
-    const V third = duplicate_rj(valid_, at.cos2, at.alpha, at.beta, fma(product, at.sin2, at.cos2));
-    const V x = at.zeta.sin * at.zeta.cos / sqrt(at.alpha * at.beta);
-    return fma(constant<V>(1.0 / 3) * product * (at.sin2 * at.zeta.sin), third, atan_by_ab(cone_, x));
+  /// What slices from ζ to the end hold, over 2ab.
+  HATBOX_INLINE V rest_of(const Slice& at) const {
+    const V third = duplicate_rj(valid_, cos2_alpha_ * at.sin2, at.alpha, cone_.k2 * at.beta, cos2_alpha_);
+    return constant<V>(1.0 / 3) * (cone_.k2 * cone_.cos_beta) * (at.cos2 * at.zeta.cos) * third;
   }
 
   HATBOX_INLINE static SinCos<V> sincos_off_end(V psi) {
@@ -111,14 +110,15 @@ class ParallelCarlsonMap {
   /// ∛(1 − fraction) times a polynomial fitted for this file (4e-5). The start is between that and the even shares of a
   /// disk that fills the sky, so that ψ³ is right at the tip; two steps are then exact to float, three no better.
   HATBOX_INLINE SinCos<V> inverse(V fraction) const {
-    const V root = cube_root(max(V(1) - fraction, V(0x1p-25f)));
+    const V rest = V(1) - fraction;
+    const V root = cube_root(max(rest, V(0x1p-25f)));
     constexpr double fit[] = {0.0437476006745, -0.0243266171949, 0.0661136748667, 0.154464935798, 1.33072814349};
     V polynomial = constant<V>(fit[0]);
     for (int i = 1; i < 5; ++i) polynomial = fma(polynomial, root * root, constant<V>(fit[i]));
-    V psi = fma(tip_, root * polynomial, (V(1) - tip_) * (constant<V>(pi / 2) * (V(1) - fraction)));
+    V psi = fma(tip_, root * polynomial, (V(1) - tip_) * (constant<V>(pi / 2) * rest));
     for (int step = 0; step < newton_steps; ++step) {
       const Slice at(*this, sincos_off_end(psi));
-      const V residual = fma(-fraction, half_, slices(at));
+      const V residual = fma(rest, half_, -rest_of(at));
       const V forward = psi + residual * (sqrt(at.alpha * at.beta) / at.cos2);
       psi = min(max(min(forward, V(2) * psi), V(0.5) * psi), constant<V>(pi / 2));
     }

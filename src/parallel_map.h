@@ -87,7 +87,7 @@ class ParallelMap {
     const V rho = sqrt(fma(low, low, cone_.a * cone_.a * rise));
     const V b_cos = cone_.b * chi.cos;
     const V cos_phi = sqrt(fma(cone_.cos_beta, cone_.cos_beta, b_cos * b_cos));
-    return {x, chi.sin * rho, cos_phi * rho, inwards};
+    return ellipse_point(x, chi.sin * rho, cos_phi * rho, inwards);
   }
 
   /// Of the slice through a direction: sin χ = sin φ_p/sin β.

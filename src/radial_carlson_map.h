@@ -50,7 +50,7 @@ class RadialCarlsonMap {
 
     LightSample<V> out;
     out.pdf = density_;
-    cone_.emit({quadrant.cos_sign * S * eta.cos, quadrant.sin_sign * S * eta.sin, z, inwards}, out);
+    cone_.emit(ellipse_point(quadrant.cos_sign * S * eta.cos, quadrant.sin_sign * S * eta.sin, z, inwards), out);
     out.valid = valid_ && is_finite(u + v) && is_finite(out.distance);
     return out;
   }

@@ -4,7 +4,8 @@
 //
 // With t = r² the share of the way from the centre direction (t = 0) to the rim (t = 1), equal in solid angle (eq. 22):
 //   z = (1 − t) + t h(η),  S² = t (1 + z)/(1 + h),  q = (a S cos η, b S sin η, z)
-// so that 1 − S² = (1 − t) ((1 − t) + h (1 + t))/(1 + h).
+// so that 1 − S² = (1 − t) ((1 − t) + h (1 + t))/(1 + h). All of these are made times 1 + h, by which nothing then is
+// divided on the way to the direction.
 #pragma once
 
 #include "disk_cone.h"
@@ -31,15 +32,22 @@ class RadialMap {
     const V h = cone_.rim_height(eta);
     const V one_plus_h = V(1) + h;
     const V shared = V(1) / (one_plus_h * slope);
-    const V inverse_1_plus_h = shared * slope;
     const V one_minus_t = V(1) - t;
-    const V z = fma(t, h, one_minus_t);
-    const V S = polar.radius * sqrt((V(1) + z) * inverse_1_plus_h);
-    const V inwards = one_minus_t * fma(h, V(1) + t, one_minus_t) * inverse_1_plus_h;
+    const V z = fma(t, h, one_minus_t), one_plus_z = V(1) + z;
+    const V S = polar.radius * sqrt(one_plus_z * one_plus_h);
+    EllipsePoint<V> q;
+    q.x = S * eta.cos;
+    q.y = S * eta.sin;
+    q.z = one_plus_h * z;
+    q.inwards = one_minus_t * fma(h, V(1) + t, one_minus_t);
+    q.xx = t * one_plus_z * (eta.cos * eta.cos);
+    q.zz = q.z * z;
+    q.scale = one_plus_h;
+    q.inverse_scale = shared * slope;
 
     LightSample<V> out;
     out.pdf = density() * (one_plus_h * one_plus_h * shared);
-    cone_.emit({S * eta.cos, S * eta.sin, z, inwards}, out);
+    cone_.emit(q, out);
     out.valid = honest(cone_.valid && is_finite(u + v) && is_finite(out.distance), out.pdf);
     return out;
   }

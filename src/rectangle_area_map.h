@@ -16,12 +16,12 @@ class RectangleAreaMap {
   HATBOX_INLINE RectangleAreaMap(const RectangleLight<V>& light, V x, V y, V z) : light_(light), point_{x, y, z} {
     for (int i = 0; i < 3; ++i) l_[i] = (V(light.corner[i]) - point_[i]) * V(light.inverse_unit);
     height_ = dot(l_, light.axes_hi[2], light.axes_lo[2]);  // next to the plane the products cancel
-    density_ = V(light.inverse_area) / abs(height_);
+    volume_ = V(light.area) * abs(height_);
   }
 
   HATBOX_INLINE LightSample<V> sample(V u, V v) const {
     const Place<V> place = {clamp_variate(u), clamp_variate(v)};
-    return to(place).sample(place, height_, light_.unit, is_finite(u + v));
+    return to(place).sample(place, height_, light_.unit, u + v);
   }
 
   V pdf_of_place(const Place<V>& place) const { return to(place).pdf_where(on_unit_square(place)); }
@@ -29,7 +29,7 @@ class RectangleAreaMap {
   V pdf_of_direction(const V (&direction)[3]) const {
     const V distance = height_ / along(light_.axes_hi[2], direction);
     const Mask<V> inside = RectangleLocal<V>(light_, point_[0], point_[1], point_[2]).hit(direction).inside;
-    return area_pdf(distance, density_, inside && (distance > V(0)));
+    return area_pdf(distance, volume_, inside && (distance > V(0)));
   }
 
   Square<V> invert(const V (&direction)[3]) const {
@@ -41,14 +41,14 @@ class RectangleAreaMap {
 
  private:
   HATBOX_INLINE AreaRay<V> to(const Place<V>& place) const {
-    return {l_, light_.edges[0], light_.edges[1], place, density_};
+    return {l_, light_.edges[0], light_.edges[1], place, volume_};
   }
 
   const RectangleLight<V>& light_;
   V point_[3];
-  V l_[3];     // from the shading point to the corner, in units
-  V height_;   // signed, along the normal
-  V density_;  // of a direction, less the factor distance³
+  V l_[3];    // from the shading point to the corner, in units
+  V height_;  // signed, along the normal
+  V volume_;  // area · |height|, for the density of a direction
 };
 
 }  // namespace

@@ -59,14 +59,9 @@ class RejectionMap {
 
   static HATBOX_INLINE RectangleSides<V> sides_of(const DiskCone<V>& cone) {
     const V down = inverse_power_of_two(largest(cone)), height = cone.height * down;
-    return {cone.from_rim * down,
-            (cone.d + V(1)) * down,
-            -down,
-            down,
-            V(2) * down,
-            V(2) * down,
-            height,
-            max(height, constant<V>(least_height))};
+    return {
+        cone.d2_minus_1 / (cone.d + V(1)) * down, (cone.d + V(1)) * down, -down, down, V(2) * down, V(2) * down, height,
+        max(height, constant<V>(least_height))};
   }
 
   HATBOX_INLINE Candidate candidate(V u, V v) const {

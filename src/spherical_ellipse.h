@@ -25,13 +25,22 @@ struct SphericalEllipse {
   V rim_height(const SinCos<V>& eta) const { return cos_beta * sqrt(fma(k2, eta.cos * eta.cos, eta.sin * eta.sin)); }
 };
 
-/// A direction of the cone, q = (a x, b y, z) in the ellipse's frame: x² + y² < 1 but for rounding. `inwards` is
-/// 1 − x² − y² and must be given without cancellation.
+/// A direction of the cone, q = (a x, b y, z)/scale in the ellipse's frame: x² + y² < scale² but for rounding. All are
+/// given times the scale, so that nobody has to wait for its inverse: `inwards` is scale · (1 − (x² + y²)/scale²) and
+/// must not come from that difference; xx and zz are x²/scale and z²/scale.
 template <class V>
 struct EllipsePoint {
   V x, y, z;
   V inwards;
+  V xx, zz;
+  V scale, inverse_scale;
 };
+
+/// Of scale 1.
+template <class V>
+HATBOX_INLINE inline EllipsePoint<V> ellipse_point(V x, V y, V z, V inwards) {
+  return {x, y, z, inwards, x * x, z * z, V(1), V(1)};
+}
 
 /// A direction that may miss: q = (a x, b y, z) again.
 template <class V>

@@ -16,7 +16,7 @@ class TriangleAreaMap {
   HATBOX_INLINE TriangleAreaMap(const TriangleLight<V>& light, V x, V y, V z) : light_(light), point_{x, y, z} {
     for (int i = 0; i < 3; ++i) l_[i] = (V(light.vertex[i]) - point_[i]) * V(light.inverse_unit);
     height_ = dot(l_, light.axes_hi[2], light.axes_lo[2]);  // next to the plane the products cancel
-    density_ = V(light.inverse_area) / abs(height_);
+    volume_ = V(light.area) * abs(height_);
   }
 
   HATBOX_INLINE LightSample<V> sample(V u, V v) const {
@@ -24,14 +24,14 @@ class TriangleAreaMap {
     const V half = V(0.5) * min(clamped_u, clamped_v);
     const Mask<V> upper = clamped_v > clamped_u;
     const Place<V> place = {select(upper, half, clamped_u - half), select(upper, clamped_v - half, half)};
-    return to(place).sample(place, height_, light_.unit, is_finite(u + v));
+    return to(place).sample(place, height_, light_.unit, u + v);
   }
 
   V pdf_of_place(const Place<V>& place) const { return to(place).pdf_where(on_unit_triangle(place)); }
 
   V pdf_of_direction(const V (&direction)[3]) const {
     const Hit hit = intersect(direction);
-    return area_pdf(hit.distance, density_, hit.inside);
+    return area_pdf(hit.distance, volume_, hit.inside);
   }
 
   Square<V> invert(const V (&direction)[3]) const {
@@ -51,7 +51,7 @@ class TriangleAreaMap {
   };
 
   HATBOX_INLINE AreaRay<V> to(const Place<V>& place) const {
-    return {l_, light_.edges[0], light_.edges[1], place, density_};
+    return {l_, light_.edges[0], light_.edges[1], place, volume_};
   }
 
   Hit intersect(const V (&direction)[3]) const {
@@ -66,9 +66,9 @@ class TriangleAreaMap {
 
   const TriangleLight<V>& light_;
   V point_[3];
-  V l_[3];     // from the shading point to a, in units of the light
-  V height_;   // of the plane, signed along the normal
-  V density_;  // of a direction, less the factor distance³
+  V l_[3];    // from the shading point to a, in units of the light
+  V height_;  // of the plane, signed along the normal
+  V volume_;  // area · |height|, for the density of a direction
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "light_choice.h"
 
+#include "parallel.h"
+
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
@@ -44,8 +46,10 @@ LightChoice::LightChoice(const LightTable& lights, Choice choice) : light_count_
 
 void LightChoice::choose(std::size_t n, const Weigh& weigh, ConnectionQueue& samples) const {
   if (light_count_ == 1) {  // u stays what it is, to the bit
-    std::fill(samples.light.begin(), samples.light.end(), 0u);
-    std::fill(samples.probability.begin(), samples.probability.end(), 1.0f);
+    in_parallel(samples.size(), [&](std::size_t i) {
+      samples.light[i] = 0;
+      samples.probability[i] = 1;
+    });
     return;
   }
   const std::size_t numbers_per_item = by_point() ? light_count_ : 16;
