@@ -1,7 +1,10 @@
 #include "arrays.h"
 
 #include <cmath>
+#include <map>
+#include <memory>
 #include <numbers>
+#include <utility>
 
 namespace hatbox::bench {
 
@@ -36,6 +39,13 @@ void Arrays::add_samples(std::size_t samples) {
     v_.push_back(random_(0, 1));
   }
   for (std::vector<float>& out : out_) out.resize(samples);
+}
+
+Arrays& shared_arrays(std::size_t points, std::size_t samples_per_point) {
+  static std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<Arrays>> all;
+  std::unique_ptr<Arrays>& one = all[{points, samples_per_point}];
+  if (!one) one = std::make_unique<Arrays>(points, samples_per_point);
+  return *one;
 }
 
 }  // namespace hatbox::bench

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hatbox/arrays.h>
+#include <hatbox/isa.h>
 
 #include <cstddef>
 #include <random>
@@ -38,5 +39,14 @@ class Arrays {
   Random random_;
   std::vector<float> x_, y_, z_, u_, v_, out_[5];
 };
+
+/// Made once for each size and shared by all cases, so that all of them see the same memory.
+Arrays& shared_arrays(std::size_t points, std::size_t samples_per_point);
+
+/// Points a call of the cases whose arrays no cache holds.
+inline constexpr std::size_t points_in_memory = std::size_t{1} << 20;
+
+/// Bound by arithmetic, wherever the arrays are, and with points_in_memory minutes to wait for.
+inline bool is_slow(Isa isa) { return isa == Isa::scalar || isa == Isa::sse4_2; }
 
 }  // namespace hatbox::bench

@@ -1,6 +1,7 @@
 #include "disk_bench.h"
 
 #include "arrays.h"
+#include "measure.h"
 #include "reference/disk_reference.h"
 #include "reference/paper_table.h"
 
@@ -8,13 +9,11 @@
 
 #include <benchmark/benchmark.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <map>
-#include <memory>
 #include <string>
 #include <utility>
 
@@ -30,13 +29,7 @@ constexpr std::pair<const char*, DiskMap> maps[] = {{"area", DiskMap::area},
                                                     {"radial_carlson", DiskMap::radial_carlson},
                                                     {"parallel_carlson", DiskMap::parallel_carlson}};
 
-/// Arrays are made once for each size and shared by all cases, so that all of them see the same memory.
-Arrays& arrays(const Case& c) {
-  static std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<Arrays>> all;
-  std::unique_ptr<Arrays>& one = all[{c.points, c.samples_per_point}];
-  if (!one) one = std::make_unique<Arrays>(c.points, c.samples_per_point);
-  return *one;
-}
+Arrays& arrays(const Case& c) { return shared_arrays(c.points, c.samples_per_point); }
 
 /// What no sampler can beat: the same arrays read and written by the library's memcpy. Each of the five outputs gets a
 /// copy of one of the five inputs; of the points once for every sample, as the outputs are longer.
@@ -64,20 +57,6 @@ void copy_all(Arrays& arrays, bool parallel) {
   constexpr std::size_t block = 1024;
   tbb::parallel_for(std::size_t{0}, (n + block - 1) / block,
                     [&](std::size_t i) { copy(arrays, i * block, std::min(n, (i + 1) * block)); });
-}
-
-template <class Work>
-void measure(benchmark::State& state, const Case& c, const Work& work) {
-  tbb::task_arena arena(c.threads);
-  arena.initialize();
-  for (auto _ : state) {
-    if (c.threads == 1) {
-      work(false);
-    } else {
-      arena.execute([&] { work(true); });
-    }
-    benchmark::ClobberMemory();
-  }
 }
 
 /// `map` is a DiskMap or a DiskTable.
@@ -152,7 +131,7 @@ void register_tables(Registry& registry) {
                      .isa = name(isa),
                      .reference_map = "paper_table",
                      .samples_per_point = k,
-                     .points = 4096};
+                     .points = points_in_cache};
         registry.add(c, [isa, resolution](benchmark::State& state, const Case& now) {
           measure_map(state, now, isa, table_of(resolution));
         });
@@ -171,7 +150,7 @@ void register_tables(Registry& registry) {
 
 std::vector<Case> register_disk_cases() {
   Registry registry;
-  for (const std::size_t points : {std::size_t{16}, std::size_t{4096}, std::size_t{1} << 20}) {
+  for (const std::size_t points : {std::size_t{16}, points_in_cache, points_in_memory}) {
     for (const std::size_t k : {std::size_t{1}, std::size_t{16}}) {
       for (const int threads : {1, 2}) {
         const Case base{.threads = threads, .samples_per_point = k, .points = points};
@@ -182,6 +161,7 @@ std::vector<Case> register_disk_cases() {
           measure(state, c, [&](bool in_parallel) { copy_all(arrays(c), in_parallel); });
         });
         for (const Isa isa : available_isas()) {
+          if (points == points_in_memory && is_slow(isa)) continue;
           for (const auto& [map_name, map] : maps) {
             Case c = base;
             c.map = map_name;

@@ -9,15 +9,12 @@
 
 #include <cstddef>
 #include <functional>
-#include <map>
-#include <memory>
 #include <string>
 #include <utility>
 
 namespace hatbox::bench {
 namespace {
 
-constexpr std::size_t in_cache = 4096;
 constexpr Ellipse ellipse{{0, 0, 0}, {1, 0, 0}, {0, 0.5f, 0}};
 constexpr Rectangle rectangle{{-0.5f, -0.5f, 0}, {1, 0, 0}, {0, 1, 0}};
 constexpr Triangle triangle{{-0.5f, -0.25f, 0}, {0.5f, -0.25f, 0}, {-0.5f, 0.75f, 0}};
@@ -30,20 +27,12 @@ constexpr std::pair<const char*, RectangleMap> rectangle_maps[] = {{"area", Rect
 constexpr std::pair<const char*, TriangleMap> triangle_maps[] = {{"area", TriangleMap::area},
                                                                  {"spherical", TriangleMap::spherical}};
 
-/// Made once for each number of samples a point and shared by all cases, so that all of them see the same memory.
-Arrays& arrays(const Case& c) {
-  static std::map<std::pair<std::size_t, std::size_t>, std::unique_ptr<Arrays>> all;
-  std::unique_ptr<Arrays>& one = all[{c.points, c.samples_per_point}];
-  if (!one) one = std::make_unique<Arrays>(c.points, c.samples_per_point);
-  return *one;
-}
-
 class Registry {
  public:
   void add(Case c, const std::function<void(Arrays&)>& work) {
     c.workload = "W1";
     benchmark::RegisterBenchmark(c.name().c_str(), [c, work](benchmark::State& state) {
-      Arrays& a = arrays(c);
+      Arrays& a = shared_arrays(c.points, c.samples_per_point);
       for (auto _ : state) {
         work(a);
         benchmark::ClobberMemory();
@@ -57,8 +46,11 @@ class Registry {
     for (const std::size_t k : {std::size_t{1}, std::size_t{16}}) {
       for (const Isa isa : available_isas()) {
         for (const auto& [map_name, map] : maps) {
-          const Case c{
-              .light = name_of_light, .map = map_name, .isa = name(isa), .samples_per_point = k, .points = in_cache};
+          const Case c{.light = name_of_light,
+                       .map = map_name,
+                       .isa = name(isa),
+                       .samples_per_point = k,
+                       .points = points_in_cache};
           add(c, [isa, light, map = map](Arrays& a) {
             force_isa(isa);
             sample(light, map, a.points(), a.variates(), a.samples());

@@ -16,7 +16,7 @@
 namespace hatbox::bench {
 namespace {
 
-constexpr std::size_t points = 4096;
+constexpr std::size_t points = points_in_cache;
 
 /// As many lights of each kind as of the others, or one disk: anywhere and any way round among the points of W1, and
 /// from 0.1 to 1 in size.
@@ -101,6 +101,17 @@ Scene& scene(std::size_t lights, std::size_t k) {
   return *one;
 }
 
+struct Size {
+  const char* workload;
+  std::size_t lights, samples_per_point;
+  bool with_single_calls = false;
+};
+
+constexpr Size sizes[] = {{"mixed", 1, 1, true}, {"mixed", 64, 1, true}, {"mixed", 64, 16, true}, {"mixed", 4096, 1},
+                          {"mixed", 1000000, 1}, {growth, 1, 1},         {growth, 4, 1},          {growth, 16, 1},
+                          {growth, 64, 1},       {growth, 256, 1},       {growth, 4096, 1},       {growth, 65536, 1},
+                          {growth, 1000000, 1}};
+
 void add(std::vector<Case>& cases, const Case& c, Isa isa, const std::function<void()>& work) {
   benchmark::RegisterBenchmark(c.name().c_str(), [isa, work](benchmark::State& state) {
     force_isa(isa);
@@ -116,21 +127,22 @@ void add(std::vector<Case>& cases, const Case& c, Isa isa, const std::function<v
 
 std::vector<Case> register_light_set_cases() {
   std::vector<Case> cases;
-  for (const auto& [count, k] :
-       {std::pair<std::size_t, std::size_t>{1, 1}, {64, 1}, {64, 16}, {4096, 1}, {1000000, 1}}) {
+  for (const Size& size : sizes) {
+    const std::size_t count = size.lights, k = size.samples_per_point;
     for (const Isa isa : available_isas()) {
       const auto named = [&](const char* map, std::size_t n) {
         return Case{.light = "set_" + std::to_string(count),
                     .map = map,
                     .isa = name(isa),
-                    .workload = "mixed",
+                    .workload = size.workload,
                     .samples_per_point = k,
                     .points = n};
       };
-      const auto get = [count = count, k = k]() -> Scene& { return scene(count, k); };
+      const auto get = [count, k]() -> Scene& { return scene(count, k); };
       add(cases, named("area", points), isa, [get] { get().sample_set(get().area_set); });
       add(cases, named("best", points), isa, [get] { get().sample_set(get().best_set); });
-      if (count <= 64) add(cases, named(single_calls, points * count), isa, [get] { get().sample_singly(); });
+      if (size.with_single_calls)
+        add(cases, named(single_calls, points * count), isa, [get] { get().sample_singly(); });
     }
   }
   return cases;

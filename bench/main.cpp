@@ -4,6 +4,7 @@
 #include "disk_bench.h"
 #include "distance_bench.h"
 #include "equiangular_bench.h"
+#include "growth_bench.h"
 #include "light_bench.h"
 #include "light_set_bench.h"
 
@@ -17,40 +18,62 @@
 
 namespace {
 
-int run(int argc, char** argv) {
-  using namespace hatbox::bench;
-  CLI::App app{"Measures hatbox's samplers. Options of Google Benchmark (--benchmark_filter=…) are passed on."};
+using namespace hatbox::bench;
+
+struct Options {
   std::string report;
   int repetitions = 5;
   double seconds = 0.02;
-  app.add_option("--report", report, "Write the results to this JSON file");
-  app.add_option("--repetitions", repetitions, "Interleaved runs of each case")->check(CLI::Range(1, 1000));
-  app.add_option("--min-time", seconds, "Least seconds of a run");
-  app.allow_extras();
-  CLI11_PARSE(app, argc, argv);
+  std::vector<std::string> passed_on;
+};
 
-  std::vector<std::string> options{argv[0], "--benchmark_enable_random_interleaving=true",
-                                   "--benchmark_repetitions=" + std::to_string(repetitions),
-                                   "--benchmark_min_time=" + std::to_string(seconds)};
-  for (const std::string& extra : app.remaining()) options.push_back(extra);
+/// False for options that Google Benchmark does not know.
+bool initialize(const char* program, const Options& options) {
+  std::vector<std::string> words{program, "--benchmark_enable_random_interleaving=true",
+                                 "--benchmark_repetitions=" + std::to_string(options.repetitions),
+                                 "--benchmark_min_time=" + std::to_string(options.seconds)};
+  words.insert(words.end(), options.passed_on.begin(), options.passed_on.end());
   std::vector<char*> pointers;
-  for (std::string& option : options) pointers.push_back(option.data());
+  pointers.reserve(words.size());
+  for (std::string& word : words) pointers.push_back(word.data());
   int count = static_cast<int>(pointers.size());
   benchmark::Initialize(&count, pointers.data());
-  if (benchmark::ReportUnrecognizedArguments(count, pointers.data())) return 1;
+  return !benchmark::ReportUnrecognizedArguments(count, pointers.data());
+}
 
+std::vector<Case> register_all() {
   std::vector<Case> cases = register_disk_cases();
-  for (Case& c : register_carlson_cases()) cases.push_back(std::move(c));
-  for (Case& c : register_light_cases()) cases.push_back(std::move(c));
-  for (Case& c : register_light_set_cases()) cases.push_back(std::move(c));
-  for (Case& c : register_equiangular_cases()) cases.push_back(std::move(c));
+  for (const auto& more : {register_carlson_cases, register_light_cases, register_light_set_cases,
+                           register_equiangular_cases, register_growth_cases}) {
+    for (Case& c : more()) cases.push_back(std::move(c));
+  }
+  return cases;
+}
+
+void measure_all(const Options& options, const std::vector<Case>& cases) {
   const std::vector<DistanceRow> distances = register_distance_cases();
-  Collector collector((cases.size() + distances.size()) * static_cast<std::size_t>(repetitions));
-  benchmark::RunSpecifiedBenchmarks(&collector);
+  Collector collector((cases.size() + distances.size()) * static_cast<std::size_t>(options.repetitions));
+  const std::string filter = benchmark::GetBenchmarkFilter();
+  benchmark::RunSpecifiedBenchmarks(&collector, filter.empty() ? std::string("-/") + growth + "/" : filter);
   const std::vector<Row> rows = compare(cases, collector);
   print_table(rows);
   const std::vector<DistanceRow> over_distance = measure_distances(distances, collector);
-  if (!report.empty()) write_json(rows, over_distance, report);
+  if (!options.report.empty()) write_json(rows, over_distance, options.report);
+}
+
+int run(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Measures hatbox's samplers. Options of Google Benchmark (--benchmark_filter=…) are passed on."};
+  app.add_option("--report", options.report, "Write the results to this JSON file");
+  app.add_option("--repetitions", options.repetitions, "Interleaved runs of each case")->check(CLI::Range(1, 1000));
+  app.add_option("--min-time", options.seconds, "Least seconds of a run");
+  app.allow_extras();
+  CLI11_PARSE(app, argc, argv);
+  options.passed_on = app.remaining();
+
+  if (!initialize(argv[0], options)) return 1;
+  const std::vector<Case> cases = register_all();
+  measure_all(options, cases);
   return 0;
 }
 

@@ -18,8 +18,6 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-double ratio(double a, double b) { return a > 0 && b > 0 ? a / b : 0; }
-
 /// The model's name, as the system tells it.
 std::string cpu_name() {
   std::ifstream info("/proc/cpuinfo");
@@ -62,36 +60,31 @@ std::vector<Row> compare(const std::vector<Case>& cases, const Collector& collec
   for (const Case& c : cases) {
     Row row{.measured = c, .ns_per_sample = collector.ns_per_sample(c)};
     if (row.ns_per_sample == 0) continue;
-    Case area = c, copy = c;
-    area.map = "area";
-    copy.map = "copy";
-    copy.isa = "any";
-    row.vs_area = ratio(row.ns_per_sample, collector.ns_per_sample(area));
-    row.vs_copy = ratio(row.ns_per_sample, collector.ns_per_sample(copy));
-    const auto reference = std::find_if(cases.begin(), cases.end(), [&](const Case& other) {
-      const bool same_map = other.map == (c.reference_map.empty() ? c.map : c.reference_map);
-      return other.isa == "reference" && other.light == c.light && same_map &&
-             (c.reference_map.empty() || other.samples_per_point == c.samples_per_point);
-    });
-    if (reference != cases.end()) row.vs_reference = ratio(collector.ns_per_sample(*reference), row.ns_per_sample);
-    const auto single = std::find_if(cases.begin(), cases.end(), [&](const Case& other) {
-      return other.map == single_calls && c.workload == other.workload && c.map == "best" && c.isa == other.isa &&
-             c.samples_per_point == other.samples_per_point && (c.light == other.light || other.light == "set_64");
-    });
-    if (single != cases.end()) row.vs_single = ratio(row.ns_per_sample, collector.ns_per_sample(*single));
+    for (const Comparison& comparison : comparisons()) {
+      const Case* other = comparison.other(c, cases);
+      row.ratios.push_back(other == nullptr ? 0 : comparison.ratio(c, *other, collector));
+    }
     rows.push_back(row);
   }
   return rows;
 }
 
 void print_table(const std::vector<Row>& rows) {
-  std::printf("%-9s %-10s %-10s %8s %4s %8s %12s %9s %9s %13s %10s\n", "light", "map", "isa", "threads", "k", "points",
-              "ns/sample", "vs area", "vs copy", "vs reference", "vs single");
+  std::printf("%-11s %-16s %-10s %8s %4s %8s %12s", "light", "map", "isa", "threads", "k", "points", "ns/sample");
+  for (const Comparison& comparison : comparisons()) std::printf(" %14s", comparison.name);
+  std::printf("\n");
   for (const Row& row : rows) {
     const Case& c = row.measured;
-    std::printf("%-9s %-10s %-10s %8d %4zu %8zu %12.3f %9.2f %9.2f %13.1f %10.2f\n", c.light.c_str(), c.map.c_str(),
-                c.isa.c_str(), c.threads, c.samples_per_point, c.points, row.ns_per_sample, row.vs_area, row.vs_copy,
-                row.vs_reference, row.vs_single);
+    std::printf("%-11s %-16s %-10s %8d %4zu %8zu %12.3f", c.light.c_str(), c.map.c_str(), c.isa.c_str(), c.threads,
+                c.samples_per_point, c.points, row.ns_per_sample);
+    for (const double ratio : row.ratios) {
+      if (ratio > 0) {
+        std::printf(" %14.2f", ratio);
+      } else {
+        std::printf(" %14s", "");
+      }
+    }
+    std::printf("\n");
   }
 }
 
@@ -106,11 +99,9 @@ void write_json(const std::vector<Row>& rows, const std::vector<DistanceRow>& di
                               {"threads", c.threads},
                               {"samples_per_point", c.samples_per_point},
                               {"points", c.points},
-                              {"ns_per_sample", row.ns_per_sample},
-                              {"vs_area", row.vs_area},
-                              {"vs_copy", row.vs_copy},
-                              {"vs_reference", row.vs_reference},
-                              {"vs_single", row.vs_single}});
+                              {"ns_per_sample", row.ns_per_sample}});
+    std::size_t i = 0;
+    for (const Comparison& comparison : comparisons()) report["rows"].back()[comparison.name] = row.ratios[i++];
   }
   report["distances"] = nlohmann::json::array();
   for (const DistanceRow& row : distances) {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,12 @@ namespace hatbox::bench {
 
 /// The map of a case that samples the lights of a set one by one.
 inline constexpr const char* single_calls = "single_calls";
+
+/// The workload of cases that are for plots: how cost grows. They run only if a filter asks for them.
+inline constexpr const char* growth = "growth";
+
+/// Points a call of the cases whose arrays stay in the cache.
+inline constexpr std::size_t points_in_cache = 4096;
 
 /// One case. The map "copy" (isa "any") copies the arrays; the isa "reference" is the scalar double reference.
 struct Case {
@@ -41,13 +48,26 @@ class Collector : public benchmark::BenchmarkReporter {
   std::map<std::string, std::vector<double>> seconds_;  // a call, by the name of the case
 };
 
+/// A way to compare two cases, nanoseconds a sample: this ÷ other, or other ÷ this where larger is better.
+struct Comparison {
+  const char* name;
+  bool larger_is_better;
+  bool (*fits)(const Case& measured, const Case& other);
+
+  /// The first that fits; null if none does.
+  const Case* other(const Case& measured, const std::vector<Case>& cases) const;
+  /// 0 unless both did run.
+  double ratio(const Case& measured, const Case& other, const Collector& collector) const;
+};
+
+/// All there are, in the order of a row's ratios.
+std::span<const Comparison> comparisons();
+
 /// A case and how it compares. A ratio is 0 where there is nothing to compare with.
 struct Row {
   Case measured;
   double ns_per_sample = 0;
-  double vs_area = 0, vs_copy = 0;  // this ÷ that, same ISA, threads and arrays: smaller is better
-  double vs_reference = 0;          // scalar double reference ÷ this: larger is better
-  double vs_single = 0;             // of a set: this ÷ calls for its lights, or for 64 of them, one by one
+  std::vector<double> ratios = {};
 };
 
 std::vector<Row> compare(const std::vector<Case>& cases, const Collector& collector);
