@@ -25,7 +25,7 @@ bool vs_reference(const Case& c, const Case& other) {
          (c.reference_map.empty() || other.samples_per_point == c.samples_per_point);
 }
 
-/// The paper's tabulated map, in scalar double: what it costs to sample uniformly in solid angle with all set up.
+/// The paper's tabulated map in scalar double, whatever map this one is.
 bool vs_paper_table(const Case& c, const Case& other) {
   return other.map == "paper_table" && other.light == c.light && other.workload == c.workload &&
          other.samples_per_point == c.samples_per_point && c.isa != "reference" && c.map != "copy" && c.map != "area";

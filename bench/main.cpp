@@ -1,6 +1,7 @@
 // hatbox_bench: what a sample costs. Repetitions of all cases are interleaved at random and compared by their medians,
 // so that what else the machine does falls on all of them alike.
 #include "carlson_bench.h"
+#include "check.h"
 #include "disk_bench.h"
 #include "distance_bench.h"
 #include "equiangular_bench.h"
@@ -21,7 +22,7 @@ namespace {
 using namespace hatbox::bench;
 
 struct Options {
-  std::string report;
+  std::string report, baseline;
   int repetitions = 5;
   double seconds = 0.02;
   std::vector<std::string> passed_on;
@@ -50,11 +51,15 @@ std::vector<Case> register_all() {
   return cases;
 }
 
-void measure_all(const Options& options, const std::vector<Case>& cases) {
+void measure_all(const Options& options, std::vector<Case> cases) {
   const std::vector<DistanceRow> distances = register_distance_cases();
+  std::string filter = benchmark::GetBenchmarkFilter();
+  if (filter.empty()) {
+    filter = std::string("-/") + growth + "/";
+    std::erase_if(cases, [](const Case& c) { return c.workload == growth; });
+  }
   Collector collector((cases.size() + distances.size()) * static_cast<std::size_t>(options.repetitions));
-  const std::string filter = benchmark::GetBenchmarkFilter();
-  benchmark::RunSpecifiedBenchmarks(&collector, filter.empty() ? std::string("-/") + growth + "/" : filter);
+  benchmark::RunSpecifiedBenchmarks(&collector, filter);
   const std::vector<Row> rows = compare(cases, collector);
   print_table(rows);
   const std::vector<DistanceRow> over_distance = measure_distances(distances, collector);
@@ -64,15 +69,22 @@ void measure_all(const Options& options, const std::vector<Case>& cases) {
 int run(int argc, char** argv) {
   Options options;
   CLI::App app{"Measures hatbox's samplers. Options of Google Benchmark (--benchmark_filter=…) are passed on."};
-  app.add_option("--report", options.report, "Write the results to this JSON file");
-  app.add_option("--repetitions", options.repetitions, "Interleaved runs of each case")->check(CLI::Range(1, 1000));
+  auto* report = app.add_option("--report", options.report, "Write the results to this JSON file");
+  auto* check = app.add_option("--check", options.baseline,
+                               "Only see to it that the ratios of this JSON file are within their bounds");
+  check->excludes(report);
+  auto* repetitions =
+      app.add_option("--repetitions", options.repetitions, "Interleaved runs of each case (5; with --check 15)")
+          ->check(CLI::Range(1, 1000));
   app.add_option("--min-time", options.seconds, "Least seconds of a run");
   app.allow_extras();
   CLI11_PARSE(app, argc, argv);
   options.passed_on = app.remaining();
+  if (*check && !*repetitions) options.repetitions = 15;
 
   if (!initialize(argv[0], options)) return 1;
   const std::vector<Case> cases = register_all();
+  if (*check) return check_baseline(options.baseline, cases, options.repetitions) ? 0 : 1;
   measure_all(options, cases);
   return 0;
 }
