@@ -8,7 +8,7 @@ import copies
 import page
 from context import Context
 
-FAMILIES = ("patterns", "surfaces", "media", "bounces", "curves", "accuracy")
+FAMILIES = ("patterns", "surfaces", "media", "bounces", "curves", "accuracy", "cost")
 
 
 def main():
