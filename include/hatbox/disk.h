@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hatbox/arrays.h>
+#include <hatbox/export.h>
 #include <hatbox/lights.h>
 
 #include <cstddef>
@@ -45,52 +46,54 @@ enum class DiskMap {
 /// 1/Ω to 2e-6, plus what the rounding of the inputs makes of Ω.
 ///
 /// Source: Guillén et al. 2017, eq. 3-5 and 16-23, in the form that src/disk_cone.h and src/eta_series.h explain.
-void sample(const Disk& light, DiskMap map, Points points, Variates variates, Samples out);
+HATBOX_API void sample(const Disk& light, DiskMap map, Points points, Variates variates, Samples out);
 
 /// The density, per steradian, with which `sample` picks each of the k·n `directions` (unit length, not checked): 0 for
 /// one that misses the light. The hit test has a margin of 8 ulp of the direction, in favour of a hit. `out` has k·n
 /// elements. What `sample` returned is met to 1e-5, as far as a float direction can tell.
-void pdf(const Disk& light, DiskMap map, Points points, Directions directions, std::span<float> out);
+HATBOX_API void pdf(const Disk& light, DiskMap map, Points points, Directions directions, std::span<float> out);
 
 /// The density, per steradian, with which `sample` picks the direction to each of the k·n `places`: 0 outside the
 /// light. What `sample` returned with the place is met to 1e-5. For far lights the better of the two: a float direction
 /// cannot resolve what lies within 1e-7 rad.
-void pdf(const Disk& light, DiskMap map, Points points, Places places, std::span<float> out);
+HATBOX_API void pdf(const Disk& light, DiskMap map, Points points, Places places, std::span<float> out);
 
 /// The (u, v) that `sample` turns into each of the k·n `directions`: -1, -1 for one that misses the light or cannot be
 /// sampled. Right to 1e-4 where the map is continuous and the light wide enough for a float direction to tell. `u` and
 /// `v` have k·n elements each. Not for `rejection`, which has no inverse.
-void invert(const Disk& light, DiskMap map, Points points, Directions directions, std::span<float> u,
-            std::span<float> v);
+HATBOX_API void invert(const Disk& light, DiskMap map, Points points, Directions directions, std::span<float> u,
+                       std::span<float> v);
 
 /// The solid angle of the light from each of the n points, in steradians, in (0, 2π): right to 2e-6, relative, plus
 /// what the rounding of the inputs makes of themselves. `out` has n elements.
 ///
 /// Source: Guillén et al. 2017, eq. 16-19, by Landen's transformation (src/solid_angle.h).
-void solid_angle(const Disk& light, Points points, std::span<float> out);
+HATBOX_API void solid_angle(const Disk& light, Points points, std::span<float> out);
 
 /// What is wrong with a light, beginning with the name of the member; empty if nothing is. Calls throw on a light that
 /// does not pass, so hosts without exceptions ask here first.
-std::string_view check(const Disk& light) noexcept;
+HATBOX_API std::string_view check(const Disk& light) noexcept;
 
 /// The axes of a place (s, t) on the light: perpendicular to each other and to the normal (u × v points along it), of
 /// the length of its radius. Where normal is +z they are x and y.
 struct Axes {
   Vec3 u, v;
 };
-Axes axes(const Disk& light);
+HATBOX_API Axes axes(const Disk& light);
 
 /// The same calls, the points split into blocks by TBB, in the caller's task arena and isolated from its other tasks.
 /// `grain` is the least number of points a block (0: chosen by the library); a job of one block runs in the caller's
 /// thread.
 namespace parallel {
-void sample(const Disk& light, DiskMap map, Points points, Variates variates, Samples out, std::size_t grain = 0);
-void pdf(const Disk& light, DiskMap map, Points points, Directions directions, std::span<float> out,
-         std::size_t grain = 0);
-void pdf(const Disk& light, DiskMap map, Points points, Places places, std::span<float> out, std::size_t grain = 0);
-void invert(const Disk& light, DiskMap map, Points points, Directions directions, std::span<float> u,
-            std::span<float> v, std::size_t grain = 0);
-void solid_angle(const Disk& light, Points points, std::span<float> out, std::size_t grain = 0);
+HATBOX_API void sample(const Disk& light, DiskMap map, Points points, Variates variates, Samples out,
+                       std::size_t grain = 0);
+HATBOX_API void pdf(const Disk& light, DiskMap map, Points points, Directions directions, std::span<float> out,
+                    std::size_t grain = 0);
+HATBOX_API void pdf(const Disk& light, DiskMap map, Points points, Places places, std::span<float> out,
+                    std::size_t grain = 0);
+HATBOX_API void invert(const Disk& light, DiskMap map, Points points, Directions directions, std::span<float> u,
+                       std::span<float> v, std::size_t grain = 0);
+HATBOX_API void solid_angle(const Disk& light, Points points, std::span<float> out, std::size_t grain = 0);
 }  // namespace parallel
 
 }  // namespace hatbox

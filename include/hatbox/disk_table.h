@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hatbox/disk.h>
+#include <hatbox/export.h>
 
 #include <cstddef>
 #include <memory>
@@ -23,7 +24,7 @@ class DiskTable {
 
   /// Computes the table, with TBB in the caller's task arena. Throws std::invalid_argument unless `base` is ld_radial
   /// or radial and `resolution` between the two above.
-  explicit DiskTable(DiskMap base, std::size_t resolution = 1024);
+  HATBOX_API explicit DiskTable(DiskMap base, std::size_t resolution = 1024);
 
   // No moves: they copy, so that no table is ever without its memory.
   DiskTable(const DiskTable&) = default;
@@ -44,21 +45,22 @@ class DiskTable {
 // With 64² coefficients or more that is 5e-4 at 99 % of points with x, y within ±3 radii and height 0.05 to 3.05, 1e-6
 // from 10 radii on, and 2e-2 at 99 % of points hugging the light (height 1e-5 to 1e-1).
 
-void sample(const Disk& light, const DiskTable& table, Points points, Variates variates, Samples out);
-void pdf(const Disk& light, const DiskTable& table, Points points, Directions directions, std::span<float> out);
-void pdf(const Disk& light, const DiskTable& table, Points points, Places places, std::span<float> out);
-void invert(const Disk& light, const DiskTable& table, Points points, Directions directions, std::span<float> u,
-            std::span<float> v);
+HATBOX_API void sample(const Disk& light, const DiskTable& table, Points points, Variates variates, Samples out);
+HATBOX_API void pdf(const Disk& light, const DiskTable& table, Points points, Directions directions,
+                    std::span<float> out);
+HATBOX_API void pdf(const Disk& light, const DiskTable& table, Points points, Places places, std::span<float> out);
+HATBOX_API void invert(const Disk& light, const DiskTable& table, Points points, Directions directions,
+                       std::span<float> u, std::span<float> v);
 
 namespace parallel {
-void sample(const Disk& light, const DiskTable& table, Points points, Variates variates, Samples out,
-            std::size_t grain = 0);
-void pdf(const Disk& light, const DiskTable& table, Points points, Directions directions, std::span<float> out,
-         std::size_t grain = 0);
-void pdf(const Disk& light, const DiskTable& table, Points points, Places places, std::span<float> out,
-         std::size_t grain = 0);
-void invert(const Disk& light, const DiskTable& table, Points points, Directions directions, std::span<float> u,
-            std::span<float> v, std::size_t grain = 0);
+HATBOX_API void sample(const Disk& light, const DiskTable& table, Points points, Variates variates, Samples out,
+                       std::size_t grain = 0);
+HATBOX_API void pdf(const Disk& light, const DiskTable& table, Points points, Directions directions,
+                    std::span<float> out, std::size_t grain = 0);
+HATBOX_API void pdf(const Disk& light, const DiskTable& table, Points points, Places places, std::span<float> out,
+                    std::size_t grain = 0);
+HATBOX_API void invert(const Disk& light, const DiskTable& table, Points points, Directions directions,
+                       std::span<float> u, std::span<float> v, std::size_t grain = 0);
 }  // namespace parallel
 
 }  // namespace hatbox

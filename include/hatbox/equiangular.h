@@ -3,6 +3,7 @@
 #pragma once
 
 #include <hatbox/arrays.h>
+#include <hatbox/export.h>
 
 #include <cstddef>
 #include <span>
@@ -44,18 +45,20 @@ namespace equiangular {
 /// the bounds above are 1e-4. A pivot on the ray before or behind the segment is as good as any.
 ///
 /// Source: Kulla and Fajardo 2012, in the form that src/equiangular_map.h explains; used so by Guillén et al. 2017, §5.
-void sample(Segments segments, Points pivots, std::span<const float> u, std::span<float> t, std::span<float> pdf);
+HATBOX_API void sample(Segments segments, Points pivots, std::span<const float> u, std::span<float> t,
+                       std::span<float> pdf);
 
 /// The density, per unit of t, with which `sample` picks each of the k·n distances `t`, to 1e-6: 0 outside the segment,
 /// and for one that is not finite. What `sample` returned is met in every bit.
-void pdf(Segments segments, Points pivots, std::span<const float> t, std::span<float> out);
+HATBOX_API void pdf(Segments segments, Points pivots, std::span<const float> t, std::span<float> out);
 
 /// The part of each of the n segments on the side that its normal points to, of the plane through `on_plane` (a light's
 /// centre, say) with the normal `normals` (any length but zero): where normal·(x − on_plane) > 0. Right to an ulp of t
 /// where the ray is at 1e-7 rad or more to the plane, next to parallel to what twice a float's precision tells. 0, 0
 /// where nothing is left, which `sample` takes for a segment that cannot be sampled. `on_plane`, `normals` and the
 /// outputs have n elements each; here alone the outputs may be inputs: those of `segments`.
-void clip(Segments segments, Points on_plane, Directions normals, std::span<float> t_min, std::span<float> t_max);
+HATBOX_API void clip(Segments segments, Points on_plane, Directions normals, std::span<float> t_min,
+                     std::span<float> t_max);
 
 }  // namespace equiangular
 
@@ -63,11 +66,12 @@ void clip(Segments segments, Points on_plane, Directions normals, std::span<floa
 /// `grain` is the least number of segments a block (0: chosen by the library); a job of one block runs in the caller's
 /// thread.
 namespace parallel::equiangular {
-void sample(Segments segments, Points pivots, std::span<const float> u, std::span<float> t, std::span<float> pdf,
-            std::size_t grain = 0);
-void pdf(Segments segments, Points pivots, std::span<const float> t, std::span<float> out, std::size_t grain = 0);
-void clip(Segments segments, Points on_plane, Directions normals, std::span<float> t_min, std::span<float> t_max,
-          std::size_t grain = 0);
+HATBOX_API void sample(Segments segments, Points pivots, std::span<const float> u, std::span<float> t,
+                       std::span<float> pdf, std::size_t grain = 0);
+HATBOX_API void pdf(Segments segments, Points pivots, std::span<const float> t, std::span<float> out,
+                    std::size_t grain = 0);
+HATBOX_API void clip(Segments segments, Points on_plane, Directions normals, std::span<float> t_min,
+                     std::span<float> t_max, std::size_t grain = 0);
 }  // namespace parallel::equiangular
 
 }  // namespace hatbox

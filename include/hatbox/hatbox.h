@@ -7,8 +7,10 @@
 #include <hatbox/disk_table.h>
 #include <hatbox/ellipse.h>
 #include <hatbox/equiangular.h>
+#include <hatbox/export.h>
 #include <hatbox/isa.h>
 #include <hatbox/light_set.h>
 #include <hatbox/lights.h>
 #include <hatbox/rectangle.h>
 #include <hatbox/triangle.h>
+#include <hatbox/version.h>

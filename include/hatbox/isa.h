@@ -3,6 +3,8 @@
 // same bits, but for rare last-place differences of sse4_2, which has no fused multiply-add.
 #pragma once
 
+#include <hatbox/export.h>
+
 #include <span>
 
 namespace hatbox {
@@ -11,16 +13,16 @@ enum class Isa { scalar, sse4_2, avx2, avx512, neon };
 
 /// The instruction set that calls starting now will use. Throws std::invalid_argument if HATBOX_ISA names one that is
 /// unknown or that this CPU or build does not have; the message lists those there are. Thread-safe.
-Isa active_isa();
+HATBOX_API Isa active_isa();
 
 /// Those this CPU and this build have, slowest first. Thread-safe.
-std::span<const Isa> available_isas();
+HATBOX_API std::span<const Isa> available_isas();
 
 /// Uses `isa` from now on. Throws std::invalid_argument if it is not available. Thread-safe at any time: a call in
 /// flight keeps the kernels it began with.
-void force_isa(Isa isa);
+HATBOX_API void force_isa(Isa isa);
 
 /// "scalar", "sse4_2", "avx2", "avx512" or "neon"; "unknown" for anything else.
-const char* name(Isa isa) noexcept;
+HATBOX_API const char* name(Isa isa) noexcept;
 
 }  // namespace hatbox

@@ -5,6 +5,7 @@
 #include <hatbox/arrays.h>
 #include <hatbox/disk.h>
 #include <hatbox/ellipse.h>
+#include <hatbox/export.h>
 #include <hatbox/lights.h>
 #include <hatbox/rectangle.h>
 #include <hatbox/triangle.h>
@@ -31,13 +32,13 @@ class LightSet {
 
   /// Keeps none of the spans; any of them may be empty. Throws std::invalid_argument if a light is not one (see
   /// `check`) or a map does not exist; the message names the span, the position and the member.
-  LightSet(std::span<const Disk> disks, std::span<const Ellipse> ellipses, std::span<const Rectangle> rectangles,
-           std::span<const Triangle> triangles, const Maps& maps);
+  HATBOX_API LightSet(std::span<const Disk> disks, std::span<const Ellipse> ellipses,
+                      std::span<const Rectangle> rectangles, std::span<const Triangle> triangles, const Maps& maps);
   LightSet(std::span<const Disk> disks, std::span<const Ellipse> ellipses, std::span<const Rectangle> rectangles,
            std::span<const Triangle> triangles)
       : LightSet(disks, ellipses, rectangles, triangles, Maps{}) {}
 
-  std::size_t size() const noexcept;
+  HATBOX_API std::size_t size() const noexcept;
 
   struct Data;
   const Data& data() const noexcept { return *data_; }
@@ -51,10 +52,10 @@ class LightSet {
 /// here. One call at a time may use it. One that was moved from may only be assigned to or destroyed.
 class Workspace {
  public:
-  Workspace();
-  ~Workspace();
-  Workspace(Workspace&&) noexcept;
-  Workspace& operator=(Workspace&&) noexcept;
+  HATBOX_API Workspace();
+  HATBOX_API ~Workspace();
+  HATBOX_API Workspace(Workspace&&) noexcept;
+  HATBOX_API Workspace& operator=(Workspace&&) noexcept;
 
   struct Data;
   Data& data() noexcept { return *data_; }
@@ -67,30 +68,30 @@ class Workspace {
 // `light` holds n indices, one a point, in any order; all k samples or queries of a point are of its light. One that is
 // out of range: std::invalid_argument, which names the first such position, and nothing is written.
 
-void sample(const LightSet& set, std::span<const std::uint32_t> light, Points points, Variates variates, Samples out,
-            Workspace& workspace);
-void pdf(const LightSet& set, std::span<const std::uint32_t> light, Points points, Directions directions,
-         std::span<float> out, Workspace& workspace);
-void pdf(const LightSet& set, std::span<const std::uint32_t> light, Points points, Places places, std::span<float> out,
-         Workspace& workspace);
+HATBOX_API void sample(const LightSet& set, std::span<const std::uint32_t> light, Points points, Variates variates,
+                       Samples out, Workspace& workspace);
+HATBOX_API void pdf(const LightSet& set, std::span<const std::uint32_t> light, Points points, Directions directions,
+                    std::span<float> out, Workspace& workspace);
+HATBOX_API void pdf(const LightSet& set, std::span<const std::uint32_t> light, Points points, Places places,
+                    std::span<float> out, Workspace& workspace);
 /// Throws std::invalid_argument if the set has disks that are sampled by DiskMap::rejection.
-void invert(const LightSet& set, std::span<const std::uint32_t> light, Points points, Directions directions,
-            std::span<float> u, std::span<float> v, Workspace& workspace);
-void solid_angle(const LightSet& set, std::span<const std::uint32_t> light, Points points, std::span<float> out,
-                 Workspace& workspace);
+HATBOX_API void invert(const LightSet& set, std::span<const std::uint32_t> light, Points points, Directions directions,
+                       std::span<float> u, std::span<float> v, Workspace& workspace);
+HATBOX_API void solid_angle(const LightSet& set, std::span<const std::uint32_t> light, Points points,
+                            std::span<float> out, Workspace& workspace);
 
 /// The same calls, split into blocks of points by TBB; see disk.h.
 namespace parallel {
-void sample(const LightSet& set, std::span<const std::uint32_t> light, Points points, Variates variates, Samples out,
-            Workspace& workspace, std::size_t grain = 0);
-void pdf(const LightSet& set, std::span<const std::uint32_t> light, Points points, Directions directions,
-         std::span<float> out, Workspace& workspace, std::size_t grain = 0);
-void pdf(const LightSet& set, std::span<const std::uint32_t> light, Points points, Places places, std::span<float> out,
-         Workspace& workspace, std::size_t grain = 0);
-void invert(const LightSet& set, std::span<const std::uint32_t> light, Points points, Directions directions,
-            std::span<float> u, std::span<float> v, Workspace& workspace, std::size_t grain = 0);
-void solid_angle(const LightSet& set, std::span<const std::uint32_t> light, Points points, std::span<float> out,
-                 Workspace& workspace, std::size_t grain = 0);
+HATBOX_API void sample(const LightSet& set, std::span<const std::uint32_t> light, Points points, Variates variates,
+                       Samples out, Workspace& workspace, std::size_t grain = 0);
+HATBOX_API void pdf(const LightSet& set, std::span<const std::uint32_t> light, Points points, Directions directions,
+                    std::span<float> out, Workspace& workspace, std::size_t grain = 0);
+HATBOX_API void pdf(const LightSet& set, std::span<const std::uint32_t> light, Points points, Places places,
+                    std::span<float> out, Workspace& workspace, std::size_t grain = 0);
+HATBOX_API void invert(const LightSet& set, std::span<const std::uint32_t> light, Points points, Directions directions,
+                       std::span<float> u, std::span<float> v, Workspace& workspace, std::size_t grain = 0);
+HATBOX_API void solid_angle(const LightSet& set, std::span<const std::uint32_t> light, Points points,
+                            std::span<float> out, Workspace& workspace, std::size_t grain = 0);
 }  // namespace parallel
 
 }  // namespace hatbox
