@@ -1,4 +1,5 @@
-// hatbox: area lights sampled uniformly in solid angle, for whole arrays of shading points. This brings all of it.
+/// \file
+/// hatbox: area lights sampled uniformly in solid angle, for whole arrays of shading points. This brings all of it.
 #pragma once
 
 #include <hatbox/arrays.h>
@@ -14,3 +15,11 @@
 #include <hatbox/rectangle.h>
 #include <hatbox/triangle.h>
 #include <hatbox/version.h>
+
+/// All of the library.
+namespace hatbox {
+
+/// The calls on all cores, by TBB.
+namespace parallel {}
+
+}  // namespace hatbox

@@ -1,10 +1,14 @@
-// The lights. Plain structs: no invariants are kept; `check` (and every call) tells whether one is valid.
+/// \file
+/// The lights. Plain structs: no invariants are kept; `check` (and every call) tells whether one is valid.
 #pragma once
 
 namespace hatbox {
 
+/// A point or a vector.
 struct Vec3 {
-  float x, y, z;
+  /// @{
+  float x, y, z;  ///< world space
+  /// @}
 };
 
 /// A flat disk. It emits to both sides; one-sidedness is the renderer's choice, from `Samples::cosine`.
@@ -22,8 +26,9 @@ struct Disk {
 /// Valid if all numbers are finite, the axes are perpendicular, |u·v| <= 1e-4 |u||v|, and neither is zero, longer than
 /// the largest float or shorter than 1e-6 of the other.
 struct Ellipse {
-  Vec3 center;                    ///< world space
-  Vec3 semi_axis_u, semi_axis_v;  ///< world units
+  Vec3 center;       ///< world space
+  Vec3 semi_axis_u;  ///< from the centre to the rim, world units
+  Vec3 semi_axis_v;  ///< the other
 };
 
 /// A flat rectangle. It emits to both sides; one-sidedness is the renderer's choice, from `Samples::cosine`, which is
@@ -42,7 +47,9 @@ struct Rectangle {
 /// Valid if all numbers are finite, no side is longer than the largest float, and it is at least 2^-24 times as high as
 /// its longest side is long.
 struct Triangle {
-  Vec3 a, b, c;  ///< world space
+  /// @{
+  Vec3 a, b, c;  ///< a vertex, world space
+  /// @}
 };
 
 }  // namespace hatbox
