@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace hatbox::test {
 namespace {
@@ -60,6 +61,29 @@ TEST_P(RectangleHardPlaces, SamplesAreSane) {
         }
       }
     }
+  }
+}
+
+/// A corner at the origin, which floats come as near to as they like.
+TEST_P(RectangleHardPlaces, DirectionsAreOfUnitLengthNextToACorner) {
+  const Rectangle light{{0, 0, 0}, {1, 0, 0}, {0, 0.7f, 0}};
+  std::mt19937 engine(1);
+  const auto any = [&](float from, float to) { return std::uniform_real_distribution<float>(from, to)(engine); };
+  const auto coordinate = [&] { return std::copysign(std::pow(10.0f, any(-30, 1)), any(-1, 1)); };
+  PointArrays points;
+  for (int i = 0; i < 4096; ++i) points.push_back({coordinate(), coordinate(), coordinate()});
+  const VariateArrays variates = make_variates(points.size());
+  for (const RectangleMap map : all_rectangle_maps) {
+    SampleArrays samples(points.size());
+    sample(light, map, points.view(), variates.view(), samples.view());
+    std::size_t valid = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!samples.valid(i)) continue;
+      ++valid;
+      ASSERT_NEAR(length(samples.direction(i)), 1, 1e-6)
+          << name(map) << " from " << points.x[i] << ", " << points.y[i] << ", " << points.z[i];
+    }
+    EXPECT_GT(valid, points.size() / 2) << name(map);
   }
 }
 

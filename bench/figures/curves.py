@@ -38,8 +38,9 @@ def measure(context, name, scene, maps, *options):
     for exponent in range(context.pick(6, 4)):
         spp = 4**exponent
         report = compare(context, name, scene, maps, spp, max(1024, 4 * spp), options)
-        # What takes little time is measured three times; all maps in turn, so that what else runs falls on all alike.
-        again = [compare(context, name, scene, maps, spp, 1, options) for _ in range(2 if spp <= 64 else 0)]
+        # What takes little time is measured more often; all maps in turn, so that what else runs falls on all alike.
+        more = 6 if spp <= 4 else 2 if spp <= 64 else 0
+        again = [compare(context, name, scene, maps, spp, 1, options) for _ in range(more)]
         for row in report["rows"]:
             times = [time_of(some, row["map"]) for some in (report, *again)]
             results[row["map"]][spp] = (math.sqrt(renders.mse(report, row["map"])),

@@ -25,7 +25,8 @@ def sheet(context, report, name, caption):
     maps = [row["map"] for row in report["rows"]]
     columns = 3 if len(maps) % 3 == 0 else min(4, len(maps))
     rows = -(-len(maps) // columns)
-    figure, axes = plt.subplots(2 * rows, columns, figsize=(3.2 * columns, 5 * rows), squeeze=False)
+    figure, axes = plt.subplots(2 * rows, columns, figsize=(3.2 * columns, 5.4 * rows), squeeze=False,
+                                layout="compressed")
     for i, map_name in enumerate(maps):
         row, column = divmod(i, columns)
         picture, error = axes[2 * row:2 * row + 2, column]
@@ -36,7 +37,6 @@ def sheet(context, report, name, caption):
     for axis in axes.flat:
         axis.set_xticks([])
         axis.set_yticks([])
-    figure.tight_layout(pad=0.3)
     context.figure(figure, name, caption)
 
 
