@@ -151,7 +151,9 @@ HATBOX_INLINE inline EllipseCone<V>::EllipseCone(const EllipseLight<V>& ellipse,
   section.p_u = w_u * shrink[0];
   section.p_v = w_v * shrink[1];
   kappa2 = fma(section.p_u, section.p_u, (r * section.p_v) * (r * section.p_v));
-  nearness = fma(section.lambda, fma(section.p_u, section.p_u, section.p_v * section.p_v), w_n * w_n);
+  // λ p² as the square of √λ p: that of p alone may underflow.
+  const V u_near = section.distance * section.p_u, v_near = section.distance * section.p_v;
+  nearness = fma(u_near, u_near, fma(v_near, v_near, w_n * w_n));
   section.root_nearness = sqrt(nearness);
   section.inverse_root = V(1) / section.root_nearness;
   m_n = w_n * section.inverse_root;
@@ -159,7 +161,8 @@ HATBOX_INLINE inline EllipseCone<V>::EllipseCone(const EllipseLight<V>& ellipse,
   set_semi_axes(section, w_n);
   set_axes(section);
   set_places(section, l);
-  this->valid = (l.height > V(0)) && is_finite(l.offset) && (confocal.lambda < constant<V>(infinity<V>));
+  this->valid = (l.height >= constant<V>(smallest_normal<V>)) && is_finite(l.offset) &&
+                (confocal.lambda < constant<V>(infinity<V>));
 }
 
 template <class V>
@@ -239,7 +242,10 @@ HATBOX_INLINE inline void EllipseCone<V>::emit(const EllipsePoint<V>& q, LightSa
     const V numerator = fma(place_row[i][0], q.x, fma(place_row[i][1], q.y, place_row[i][2] * q.z));
     return fma(numerator, q.inverse_scale * down.inverse, -origin[i]);
   };
-  out.place = sorted({place(0), place(1)});
+  // Next to a narrow light's tip rounding can lead off it.
+  const V place_s = place(0), place_t = place(1), r2 = fma(place_s, place_s, place_t * place_t);
+  const V inwards = select(r2 > V(1), V(1) / sqrt(r2), V(1));
+  out.place = sorted({place_s * inwards, place_t * inwards});
 }
 
 template <class V>

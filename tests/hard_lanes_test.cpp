@@ -8,6 +8,10 @@
 
 #include <gtest/gtest.h>
 
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
+
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -55,6 +59,36 @@ TEST_P(HardLanes, BitsOnAxesOfSymmetryAreThoseOfScalar) {
     }
   }
 }
+
+#if defined(__x86_64__)
+/// Hosts may have set the processor to take denormals for 0: squares of what is small are then gone before their sums
+/// are.
+TEST_P(HardLanes, DirectionsAreOfUnitLengthWhereDenormalsAreFlushed) {
+  PointArrays points;
+  for (double off = 1e-22; off < 1e-15; off *= 1.3) {
+    const double angle = 1e18 * off;
+    const auto x = static_cast<float>(off * std::cos(angle)), y = static_cast<float>(off * std::sin(angle));
+    for (const float height : {1e-25f, 1e-13f, 1.0f, 1e3f}) points.push_back({x, y, height});
+    for (const double far : {1e16, 1e17, 3e17}) {
+      points.push_back({static_cast<float>(far * 0.01 * std::cos(angle)),
+                        static_cast<float>(far * 0.01 * std::sin(angle)), static_cast<float>(far)});
+    }
+  }
+  const VariateArrays variates = make_variates(points.size());
+  for (const Sampler& sampler : aligned_samplers()) {
+    SampleArrays samples(points.size());
+    const unsigned mode = _mm_getcsr();
+    _mm_setcsr(mode | 0x8040);  // flush to zero, denormals are zeros
+    sampler.sample(points.view(), variates.view(), samples.view(), {});
+    _mm_setcsr(mode);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!samples.valid(i)) continue;
+      ASSERT_NEAR(length(samples.direction(i)), 1, 2e-6)
+          << sampler.name << " from " << points.x[i] << ", " << points.y[i] << ", " << points.z[i];
+    }
+  }
+}
+#endif
 
 /// Seen edge-on all sides are nearly in one plane, and most of what lies in it is no hit.
 TEST_P(HardLanes, BeyondALightSeenEdgeOnIsAMiss) {
