@@ -77,17 +77,6 @@ HATBOX_INLINE inline V dot(const V (&a)[3], const V (&b_high)[3], const V (&b_lo
   return high + low;
 }
 
-/// √(x² + y²), also where the squares would under- or overflow.
-template <class V>
-HATBOX_INLINE inline V length_of(V x, V y) {
-  const V larger = max(abs(x), abs(y));
-  const Mask<V> tiny = larger<constant<V>(0x1p-40), huge = larger> constant<V>(0x1p60);
-  const V up = select(tiny, constant<V>(0x1p64), select(huge, constant<V>(0x1p-64), V(1)));
-  const V down = select(tiny, constant<V>(0x1p-64), select(huge, constant<V>(0x1p64), V(1)));
-  const V scaled_x = x * up, scaled_y = y * up;
-  return sqrt(fma(scaled_x, scaled_x, scaled_y * scaled_y)) * down;
-}
-
 /// √(x² + y²), also where the squares would underflow.
 template <class V>
 HATBOX_INLINE inline V length_of_small(V x, V y) {
@@ -95,6 +84,13 @@ HATBOX_INLINE inline V length_of_small(V x, V y) {
   const V up = select(tiny, constant<V>(0x1p64), V(1)), down = select(tiny, constant<V>(0x1p-64), V(1));
   const V scaled_x = x * up, scaled_y = y * up;
   return sqrt(fma(scaled_x, scaled_x, scaled_y * scaled_y)) * down;
+}
+
+/// The same, also where the squares would overflow, for a y that does not count beside an x of more than 2^50: one of
+/// the order of its root.
+template <class V>
+HATBOX_INLINE inline V length_with_root(V x, V y) {
+  return select(abs(x) < constant<V>(0x1p50), length_of_small(x, y), abs(x));
 }
 
 }  // namespace

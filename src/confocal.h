@@ -103,7 +103,7 @@ class ConfocalEllipsoid {
     const auto [E, B] = pole(g, j);
     const V root_E = sqrt(E);
     const V twice = V(2) * (l_.height * root_E);
-    const V size = select(abs(B) < constant<V>(0x1p50), length_of_small(B, twice), abs(B));
+    const V size = length_with_root(B, twice);
     const Mask<V> positive = B >= V(0);
     const V lambda = larger_root(B, height2_ * E, size);
     const V root = sqrt(select(positive, lambda, V(2) * (size - B)));

@@ -113,7 +113,7 @@ HATBOX_INLINE inline DiskCone<V>::DiskCone(const DiskLight<V>& disk, V x, V y, V
 
   const V h2 = height * height;
   const V s = d2_minus_1 + h2;
-  const V L = length_of(s, V(2) * height);
+  const V L = length_with_root(s, V(2) * height);
   const V inverse_L = V(1) / L;
   const Halves<V> beta = halves(inverse_L, s, height);
   const Halves<V> m = halves(inverse_L, d2_minus_1 - h2, height * d);

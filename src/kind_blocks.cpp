@@ -8,8 +8,8 @@ std::optional<std::size_t> KindBlock::sort(const LightSet::Data& set, const Kern
                                            std::span<const std::uint32_t> lights) {
   std::size_t listed = 0;
   for (std::size_t kind = 0; kind < light_kind_count; ++kind) {
-    if (set.bounds[kind + 1] - set.bounds[kind] == set.bounds[light_kind_count]) return kind;  // the set has no other
     const std::uint32_t low = set.bounds[kind], high = set.bounds[kind + 1];
+    if (high - low == set.size()) return kind;  // the set has no other
     counts_[kind] =
         low == high ? 0
                     : table.list_between(lights.data(), lights.size(), low, high, &order_[listed], &lights_[listed]);

@@ -59,9 +59,15 @@ class RejectionMap {
 
   static HATBOX_INLINE RectangleSides<V> sides_of(const DiskCone<V>& cone) {
     const V down = inverse_power_of_two(largest(cone)), height = cone.height * down;
-    return {
-        cone.d2_minus_1 / (cone.d + V(1)) * down, (cone.d + V(1)) * down, -down, down, V(2) * down, V(2) * down, height,
-        max(height, constant<V>(least_height))};
+    RectangleSides<V> sides;
+    sides.x0 = cone.d2_minus_1 / (cone.d + V(1)) * down;  // d − 1
+    sides.x1 = (cone.d + V(1)) * down;
+    sides.y0 = -down;
+    sides.y1 = down;
+    sides.e_x = sides.e_y = V(2) * down;
+    sides.height = height;
+    sides.z = max(height, constant<V>(least_height));
+    return sides;
   }
 
   HATBOX_INLINE Candidate candidate(V u, V v) const {
