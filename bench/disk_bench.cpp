@@ -59,20 +59,6 @@ void copy_all(Arrays& arrays, bool parallel) {
                     [&](std::size_t i) { copy(arrays, i * block, std::min(n, (i + 1) * block)); });
 }
 
-/// `map` is a DiskMap or a DiskTable.
-template <class Map>
-void measure_map(benchmark::State& state, const Case& c, Isa isa, const Map& map) {
-  Arrays& a = arrays(c);
-  force_isa(isa);
-  measure(state, c, [&](bool in_parallel) {
-    if (in_parallel) {
-      parallel::sample(light, map, a.points(), a.variates(), a.samples());
-    } else {
-      sample(light, map, a.points(), a.variates(), a.samples());
-    }
-  });
-}
-
 const DiskTable& table_of(std::size_t resolution) {
   static std::map<std::size_t, DiskTable> all;
   return all.try_emplace(resolution, DiskMap::ld_radial, resolution).first->second;
@@ -133,7 +119,7 @@ void register_tables(Registry& registry) {
                      .samples_per_point = k,
                      .points = points_in_cache};
         registry.add(c, [isa, resolution](benchmark::State& state, const Case& now) {
-          measure_map(state, now, isa, table_of(resolution));
+          measure_map(state, now, isa, light, table_of(resolution));
         });
       }
     }
@@ -166,8 +152,9 @@ std::vector<Case> register_disk_cases() {
             Case c = base;
             c.map = map_name;
             c.isa = name(isa);
-            registry.add(
-                c, [isa, map = map](benchmark::State& state, const Case& now) { measure_map(state, now, isa, map); });
+            registry.add(c, [isa, map = map](benchmark::State& state, const Case& now) {
+              measure_map(state, now, isa, light, map);
+            });
           }
         }
       }

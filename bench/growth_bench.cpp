@@ -23,15 +23,7 @@ void add(std::vector<Case>& cases, Case c, Isa isa, const Light& light, Map map)
   c.isa = name(isa);
   c.workload = growth;
   benchmark::RegisterBenchmark(c.name().c_str(), [=](benchmark::State& state) {
-    Arrays& a = shared_arrays(c.points, c.samples_per_point);
-    force_isa(isa);
-    measure(state, c, [&](bool in_parallel) {
-      if (in_parallel) {
-        parallel::sample(light, map, a.points(), a.variates(), a.samples());
-      } else {
-        sample(light, map, a.points(), a.variates(), a.samples());
-      }
-    });
+    measure_map(state, c, isa, light, map);
   })->UseRealTime();
   cases.push_back(c);
 }

@@ -5,7 +5,6 @@ cmake_path(ABSOLUTE_PATH OUT OUTPUT_VARIABLE output)
 # The version stands in one place: there.
 file(STRINGS ${source_dir}/CMakeLists.txt project REGEX "^project\\(")
 string(REGEX MATCH "VERSION (([0-9]+)\\.([0-9]+)\\.([0-9]+))" found "${project}")
-set(version ${CMAKE_MATCH_1})
 set(PROJECT_VERSION ${CMAKE_MATCH_1})
 set(PROJECT_VERSION_MAJOR ${CMAKE_MATCH_2})
 set(PROJECT_VERSION_MINOR ${CMAKE_MATCH_3})

@@ -3,7 +3,7 @@
 #define HATBOX_ISA in_double
 #include "eta_hybrid.h"
 
-#include "reference/spherical_ellipse.h"
+#include "support/rims.h"
 #include "support/statistics.h"
 
 #include <gtest/gtest.h>
@@ -23,12 +23,6 @@ using reference::SphericalEllipse;
 struct Light {
   double ratio;  // less than 1, of an ellipse
 };
-
-SphericalEllipse seen(double k_prime, double cos_beta) {
-  const double cos_alpha = k_prime * cos_beta;
-  return SphericalEllipse(
-      {std::sqrt((1 - cos_alpha) * (1 + cos_alpha)), std::sqrt((1 - cos_beta) * (1 + cos_beta)), cos_alpha, cos_beta});
-}
 
 EtaHybrid<double> map_of(const SphericalEllipse& ellipse, double ratio = 0.5) {
   const auto [a, b, cos_alpha, cos_beta] = ellipse.axes();

@@ -3,7 +3,7 @@
 #define HATBOX_ISA in_double
 #include "eta_series.h"
 
-#include "reference/spherical_ellipse.h"
+#include "support/rims.h"
 #include "support/statistics.h"
 
 #include <gtest/gtest.h>
@@ -21,12 +21,6 @@ using in_double::SinCos;
 using reference::SphericalEllipse;
 
 constexpr double cos_betas[] = {1e-6, 1e-3, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 0.999999};
-
-SphericalEllipse seen(double k_prime, double cos_beta) {
-  const double cos_alpha = k_prime * cos_beta;
-  return SphericalEllipse(
-      {std::sqrt((1 - cos_alpha) * (1 + cos_alpha)), std::sqrt((1 - cos_beta) * (1 + cos_beta)), cos_alpha, cos_beta});
-}
 
 EtaSeries<double> series_of(double k_prime, double cos_beta) {
   in_double::SphericalEllipse<double> cone;

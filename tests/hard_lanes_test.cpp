@@ -1,16 +1,13 @@
 // Lanes found by fuzzing, each where a formula or a sign once went wrong: on a light's axes, at its vertices, beside it
 // almost in its plane.
 #include "support/bits.h"
+#include "support/denormals.h"
 #include "support/isa_fixture.h"
 #include "support/sampler_calls.h"
 
 #include <hatbox/hatbox.h>
 
 #include <gtest/gtest.h>
-
-#if defined(__x86_64__)
-#include <xmmintrin.h>
-#endif
 
 #include <cmath>
 #include <limits>
@@ -60,9 +57,7 @@ TEST_P(HardLanes, BitsOnAxesOfSymmetryAreThoseOfScalar) {
   }
 }
 
-#if defined(__x86_64__)
-/// Hosts may have set the processor to take denormals for 0: squares of what is small are then gone before their sums
-/// are.
+/// Squares of what is small are then gone before their sums are.
 TEST_P(HardLanes, DirectionsAreOfUnitLengthWhereDenormalsAreFlushed) {
   PointArrays points;
   for (double off = 1e-22; off < 1e-15; off *= 1.3) {
@@ -77,10 +72,10 @@ TEST_P(HardLanes, DirectionsAreOfUnitLengthWhereDenormalsAreFlushed) {
   const VariateArrays variates = make_variates(points.size());
   for (const Sampler& sampler : aligned_samplers()) {
     SampleArrays samples(points.size());
-    const unsigned mode = _mm_getcsr();
-    _mm_setcsr(mode | 0x8040);  // flush to zero, denormals are zeros
-    sampler.sample(points.view(), variates.view(), samples.view(), {});
-    _mm_setcsr(mode);
+    {
+      const FlushedDenormals flushed;
+      sampler.sample(points.view(), variates.view(), samples.view(), {});
+    }
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (!samples.valid(i)) continue;
       ASSERT_NEAR(length(samples.direction(i)), 1, 2e-6)
@@ -88,7 +83,6 @@ TEST_P(HardLanes, DirectionsAreOfUnitLengthWhereDenormalsAreFlushed) {
     }
   }
 }
-#endif
 
 /// Seen edge-on all sides are nearly in one plane, and most of what lies in it is no hit.
 TEST_P(HardLanes, BeyondALightSeenEdgeOnIsAMiss) {

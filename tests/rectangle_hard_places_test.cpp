@@ -2,6 +2,7 @@
 // above the light, where a corner's angle is 180° or 0°, and far out; with the variates' extremes.
 #include "reference/rectangle_reference.h"
 #include "support/isa_fixture.h"
+#include "support/random.h"
 #include "support/rectangles.h"
 #include "support/sampler.h"
 #include "support/workloads.h"
@@ -11,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 namespace hatbox::test {
 namespace {
@@ -67,9 +67,11 @@ TEST_P(RectangleHardPlaces, SamplesAreSane) {
 /// A corner at the origin, which floats come as near to as they like.
 TEST_P(RectangleHardPlaces, DirectionsAreOfUnitLengthNextToACorner) {
   const Rectangle light{{0, 0, 0}, {1, 0, 0}, {0, 0.7f, 0}};
-  std::mt19937 engine(1);
-  const auto any = [&](float from, float to) { return std::uniform_real_distribution<float>(from, to)(engine); };
-  const auto coordinate = [&] { return std::copysign(std::pow(10.0f, any(-30, 1)), any(-1, 1)); };
+  Random random(1);
+  const auto coordinate = [&] {
+    const auto size = static_cast<float>(random.log_uniform(1e-30, 10));
+    return random.unit() < 0.5 ? -size : size;
+  };
   PointArrays points;
   for (int i = 0; i < 4096; ++i) points.push_back({coordinate(), coordinate(), coordinate()});
   const VariateArrays variates = make_variates(points.size());

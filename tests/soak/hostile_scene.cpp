@@ -1,8 +1,8 @@
 #include "soak/hostile_scene.h"
 
-#include "reference/vector.h"
 #include "support/disk_maps.h"
 #include "support/ellipses.h"
+#include "support/frames.h"
 #include "support/light_sets.h"
 #include "support/rectangles.h"
 #include "support/triangle_lights.h"
@@ -17,51 +17,45 @@ namespace {
 
 using Vector = reference::Vector<double>;
 
-Vec3 rounded(const Vector& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
-
 double signed_log_uniform(Random& random, double low, double high) {
   const double size = random.log_uniform(low, high);
   return random.unit() < 0.5 ? -size : size;
 }
 
 /// Where the lights are: their common corner or centre, axes and sizes.
-struct Frame {
-  Vector origin{0, 0, 0}, u{1, 0, 0}, v{0, 1, 0}, n{0, 0, 1};
+struct Stand {
+  Vector origin{0, 0, 0};
+  Frame axes;
   double size = 1, aspect = 1;
 
   Vector at(double along_u, double along_v, double along_n) const {
-    return origin + size * (along_u * u + along_v * v + along_n * n);
+    return origin + size * (along_u * axes.u + along_v * axes.v + along_n * axes.n);
   }
 };
 
-Frame random_frame(Random& random) {
-  Frame frame;
-  if (random.unit() < 0.75) frame.size = random.log_uniform(1e-12, 1e12);
-  frame.aspect = random.log_uniform(1e-3, 1);
+Stand random_stand(Random& random) {
+  Stand stand;
+  if (random.unit() < 0.75) stand.size = random.log_uniform(1e-12, 1e12);
+  stand.aspect = random.log_uniform(1e-3, 1);
   if (random.unit() < 0.5) {
-    const auto far = [&] { return frame.size * signed_log_uniform(random, 1e-3, 1e3); };
-    frame.origin = {far(), far(), far()};
+    const auto far = [&] { return stand.size * signed_log_uniform(random, 1e-3, 1e3); };
+    stand.origin = {far(), far(), far()};
   }
-  if (random.unit() < 0.5) {
-    const double z = random.uniform(-1, 1), ring = std::sqrt(1 - z * z), phi = 2 * std::numbers::pi * random.unit();
-    frame.n = {ring * std::cos(phi), ring * std::sin(phi), z};
-    frame.u = {-std::sin(phi), std::cos(phi), 0};
-    frame.v = cross(frame.n, frame.u);
-  }
-  return frame;
+  if (random.unit() < 0.5) stand.axes = random_frame(random);
+  return stand;
 }
 
-Vec3 hostile_point(Random& random, const Frame& frame, std::size_t kind) {
+Vec3 hostile_point(Random& random, const Stand& stand, std::size_t kind) {
   const auto any = [&](double low, double high) { return signed_log_uniform(random, low, high); };
   const double angle = 2 * std::numbers::pi * random.unit(), rim = 1 + any(1e-8, 0.1);
   switch (kind % 8) {
-    case 0: return rounded(frame.at(any(1e-30, 1e18), any(1e-30, 1e18), any(1e-30, 1e18)));
-    case 1: return rounded(frame.at(rim * std::cos(angle), rim * std::sin(angle), any(1e-30, 0.1)));
-    case 2: return rounded(frame.at(random.uniform(-1, 1), random.uniform(-1, 1), any(1e-38, 1)));
-    case 3: return rounded(frame.at(any(1e-30, 1), any(1e-30, 1), any(1e-10, 1e10)));
-    case 4: return rounded(frame.at(any(1, 1e18), any(1, 1e18), any(1e-20, 1e18)));
-    case 5: return rounded(frame.at(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)));
-    case 6: return rounded(frame.at(random.uniform(-2, 2), std::round(random.uniform(-2, 2)), 0));
+    case 0: return rounded(stand.at(any(1e-30, 1e18), any(1e-30, 1e18), any(1e-30, 1e18)));
+    case 1: return rounded(stand.at(rim * std::cos(angle), rim * std::sin(angle), any(1e-30, 0.1)));
+    case 2: return rounded(stand.at(random.uniform(-1, 1), random.uniform(-1, 1), any(1e-38, 1)));
+    case 3: return rounded(stand.at(any(1e-30, 1), any(1e-30, 1), any(1e-10, 1e10)));
+    case 4: return rounded(stand.at(any(1, 1e18), any(1, 1e18), any(1e-20, 1e18)));
+    case 5: return rounded(stand.at(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3)));
+    case 6: return rounded(stand.at(random.uniform(-2, 2), std::round(random.uniform(-2, 2)), 0));
     default: break;
   }
   constexpr float odd[] = {0.0f,
@@ -100,13 +94,13 @@ void add(std::vector<Sampler>& samplers, const std::string& kind, const Light& l
 
 HostileScene::HostileScene(std::uint64_t number, std::size_t size) {
   Random random(static_cast<std::uint32_t>(number * 2654435761u + 1));
-  const Frame frame = random_frame(random);
-  const Vec3 u = rounded(frame.size * frame.u), v = rounded(frame.size * frame.aspect * frame.v);
-  const Disk disk{rounded(frame.origin), rounded(frame.n), static_cast<float>(frame.size)};
-  const Ellipse ellipse{rounded(frame.origin), u, v};
-  const Rectangle rectangle{rounded(frame.origin), u, v};
-  const Triangle triangle{rounded(frame.origin), rounded(frame.at(1, 0, 0)),
-                          rounded(frame.at(random.uniform(-1, 1), frame.aspect, 0))};
+  const Stand stand = random_stand(random);
+  const Vec3 u = rounded(stand.size * stand.axes.u), v = rounded(stand.size * stand.aspect * stand.axes.v);
+  const Disk disk{rounded(stand.origin), rounded(stand.axes.n), static_cast<float>(stand.size)};
+  const Ellipse ellipse{rounded(stand.origin), u, v};
+  const Rectangle rectangle{rounded(stand.origin), u, v};
+  const Triangle triangle{rounded(stand.origin), rounded(stand.at(1, 0, 0)),
+                          rounded(stand.at(random.uniform(-1, 1), stand.aspect, 0))};
   add(samplers, "disk", disk, all_disk_maps);
   add(samplers, "ellipse", ellipse, all_ellipse_maps);
   add(samplers, "rectangle", rectangle, all_rectangle_maps);
@@ -116,7 +110,7 @@ HostileScene::HostileScene(std::uint64_t number, std::size_t size) {
   samplers.push_back(sampler_of(set, random_choices(size, set.size())));
   samplers.back().name = "set";
   for (std::size_t i = 0; i < size; ++i) {
-    points.push_back(hostile_point(random, frame, i));
+    points.push_back(hostile_point(random, stand, i));
     variates.u.push_back(hostile_variate(random, i / 8));
     variates.v.push_back(hostile_variate(random, i / 8 + 5));
   }

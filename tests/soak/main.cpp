@@ -3,18 +3,17 @@
 // some with denormals flushed to zero, while another thread keeps forcing instruction sets.
 #include "soak/hostile_scene.h"
 #include "soak/judge.h"
+#include "support/denormals.h"
 
 #include <CLI/CLI.hpp>
 
 #include <tbb/task_arena.h>
 
-#if defined(__x86_64__)
-#include <xmmintrin.h>
-#endif
-
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <exception>
 #include <string>
 #include <thread>
 #include <vector>
@@ -30,16 +29,6 @@ constexpr std::size_t lanes_per_call = 1000;  // no multiple of any packet
 enum class Manner { plain, flushing, in_parallel, in_narrow_arena };
 constexpr const char* manner_names[] = {"plain", "denormals flushed", "parallel", "parallel in an arena of one thread"};
 
-/// Of this thread: denormals are 0, going in and coming out.
-void flush_denormals(bool flush) {
-#if defined(__x86_64__)
-  constexpr unsigned both = 0x8040;
-  _mm_setcsr(flush ? _mm_getcsr() | both : _mm_getcsr() & ~both);
-#else
-  static_cast<void>(flush);
-#endif
-}
-
 void soak_scene(std::uint64_t number, Judge& judge) {
   const auto manner = static_cast<Manner>(number % std::size(manner_names));
   const HostileScene scene(number, lanes_per_call);
@@ -49,16 +38,15 @@ void soak_scene(std::uint64_t number, Judge& judge) {
     SampleArrays samples(lanes_per_call);
     std::vector<float> densities(lanes_per_call);
     const auto call = [&] {
+      const FlushedDenormals flushed(manner == Manner::flushing);
       sampler.sample(scene.points.view(), scene.variates.view(), samples.view(), grain);
       sampler.pdf_of_direction(scene.points.view(), samples.directions(), densities, grain);
     };
-    flush_denormals(manner == Manner::flushing);
     if (manner == Manner::in_narrow_arena) {
       tbb::task_arena(1).execute(call);
     } else {
       call();
     }
-    flush_denormals(false);
     judge.judge(sampler, samples, densities, where);
   }
 }

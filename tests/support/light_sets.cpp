@@ -1,31 +1,10 @@
 #include "support/light_sets.h"
 
-#include "reference/vector.h"
-#include "support/random.h"
+#include "support/frames.h"
 
-#include <cmath>
 #include <memory>
-#include <numbers>
 
 namespace hatbox::test {
-namespace {
-
-using Vector = reference::Vector<double>;
-
-Vec3 rounded(const Vector& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
-
-/// A right-handed frame in any direction.
-struct Frame {
-  Vector u, v, n;
-};
-
-Frame random_frame(Random& random) {
-  const double z = random.uniform(-1, 1), ring = std::sqrt(1 - z * z), phi = 2 * std::numbers::pi * random.unit();
-  const Vector n{ring * std::cos(phi), ring * std::sin(phi), z}, u{-std::sin(phi), std::cos(phi), 0};
-  return {u, cross(n, u), n};
-}
-
-}  // namespace
 
 MixedLights::MixedLights(Pose pose, std::size_t of_each_kind) {
   Random random(7);
