@@ -1,4 +1,5 @@
-// The lights of a packet's points: one for all of them, made once a job, or one a lane, gathered for each packet.
+// The lights of a packet's points: one for all of them, made once a job, or one a lane, gathered for each packet. Until
+// then it is the first one's, so that there is no time when it is none.
 #pragma once
 
 #include "kernel_lights.h"
@@ -14,8 +15,7 @@ class PacketLights {
   using Light = typename KernelLight<V, Constants>::type;
 
   HATBOX_INLINE explicit PacketLights(const LightRows<Constants>& rows) : rows_(rows) {
-    if (rows.index != nullptr) return;
-    const auto* number = reinterpret_cast<const float*>(rows.rows);
+    const auto* number = reinterpret_cast<const float*>(rows.rows + (rows.index ? *rows.index - rows.first : 0));
     for (std::size_t i = 0; i < kept; ++i) numbers()[i] = V(number[i]);
     complete();
   }

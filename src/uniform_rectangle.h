@@ -21,29 +21,35 @@ HATBOX_INLINE inline Shares<V> shares_of(V variate, Mask<V> flip) {
   return {select(flip, shares.rest, shares.share), select(flip, shares.share, shares.rest)};
 }
 
+// Seen along a line that all but meets the shading point, 1 − h is as small as least_height². In this unit neither it
+// nor its share is a denormal float, which a caller may have flushed to zero, and d²(1 − h²) in its square is none.
+inline constexpr double line_scale = 0x1p61;
+
 /// The line x = const, across which y runs: y0 and y1 as seen along it.
 template <class V>
 struct RectangleLine {
   struct End {
     V r;  // distance from the shading point
     V inverse_r;
-    V h;              // y/r
-    V less_than_one;  // 1 − |h|
+    V h;                 // y/r
+    V up_less_than_one;  // 1 − |h|, times line_scale
   };
 
-  HATBOX_INLINE RectangleLine(const RectangleSides<V>& sides, V x) : d2(fma(x, x, sides.z * sides.z)) {
+  HATBOX_INLINE RectangleLine(const RectangleSides<V>& sides, V x)
+      : d2(fma(x, x, sides.z * sides.z)), up_d2(constant<V>(line_scale) * d2) {
     const V r0 = sqrt(fma(sides.y0, sides.y0, d2)), r1 = sqrt(fma(sides.y1, sides.y1, d2));
     const V sum0 = r0 + abs(sides.y0), sum1 = r1 + abs(sides.y1);
     const Inverses<V> inverse = inverses_of_products(r0, sum0, r1, sum1);
     const auto end = [&](V y, V r, V sum, V inverse_product) HATBOX_INLINE {
       const V inverse_r = sum * inverse_product;
-      return End{r, inverse_r, y * inverse_r, d2 * inverse_product};
+      return End{r, inverse_r, y * inverse_r, up_d2 * inverse_product};
     };
     low = end(sides.y0, r0, sum0, inverse.first);
     high = end(sides.y1, r1, sum1, inverse.second);
   }
 
-  V d2;  // squared distance of the line
+  V d2;     // squared distance of the line
+  V up_d2;  // times line_scale
   End low, high;
 };
 
@@ -123,14 +129,14 @@ HATBOX_INLINE inline RectanglePoint<V> UniformRectangle<V>::y_of(const Shares<V>
   const auto &low = line.low, &high = line.high;
   const V y0 = strips_.y0, y1 = strips_.y1, e_y = strips_.e_y;
   const Mask<V> straddling = y0 < V(0);
-  const V more = V(1) + abs(low.h);
-  const V minus = fma(v.rest, select(straddling, more, low.less_than_one), v.share * high.less_than_one);  // 1 − h
-  const V plus = fma(v.rest, select(straddling, low.less_than_one, more), v.share * (V(1) + high.h));      // 1 + h
-  // r² = d²/(1 − h²), and 1/r beside it.
-  const V up = constant<V>(product_scale);
-  const V up_d2 = up * line.d2, up_cosine2 = up * minus * plus;
-  const V quotient = V(1) / sqrt(up_d2 * up_cosine2);
-  const V r = up_d2 * quotient, inverse_r = up_cosine2 * quotient;
+  const V up = constant<V>(line_scale);
+  const V up_more = fma(up, abs(low.h), up);
+  const V up_minus = fma(v.rest, select(straddling, up_more, low.up_less_than_one), v.share * high.up_less_than_one);
+  const V up_plus = fma(v.rest, select(straddling, low.up_less_than_one, up_more), v.share * fma(up, high.h, up));
+  // r² = d²/((1 − h)(1 + h)), and 1/r beside it.
+  const V up2_cosine2 = up_minus * up_plus;
+  const V quotient = V(1) / sqrt(line.d2 * up2_cosine2);
+  const V r = line.up_d2 * quotient, inverse_r = constant<V>(1 / line_scale) * up2_cosine2 * quotient;
   const V across = min(max(r * fma(v.rest, low.h, v.share * high.h), y0), y1);
 
   // h − h0 = d² rise/(r0 r1). The second step is (y − y0) = (h − h0)/d² · r r0 (y r0 + y0 r)/(y + y0), whose last

@@ -52,7 +52,7 @@ Site roomiest(double u, double v, double cells) {
 
 template <class Chart>
 std::vector<Site> make_sites(double cells) {
-  constexpr int grid = 32;
+  constexpr int grid = 20;
   std::vector<Site> sites;
   for (int i = 0; i < grid; ++i) {
     for (int j = 0; j < grid; ++j) {

@@ -42,7 +42,7 @@ class EllipseJacobianSlow : public testing::TestWithParam<EllipseParam> {
     const double area =
         length(cross(reference::convert<double>(ellipse.semi_axis_u), reference::convert<double>(ellipse.semi_axis_v)));
     const in_double::EllipseLight<double> light(constants_of<double>(ellipse));
-    constexpr int grid = 32;
+    constexpr int grid = 20;
     std::vector<double> errors;
     for (const Workload workload : all_workloads) {
       const PointArrays points = make_points(workload, pose, 60);
