@@ -29,8 +29,8 @@ struct LightSet::Data {
   void visit(std::size_t kind, const KernelTable& table, const std::uint32_t* light, const Visit& visit) const {
     const auto at = [](auto map) { return static_cast<std::size_t>(map); };
     // the only one of its kind is given as to a call of its own: nothing need be gathered
-    const auto rows = [&](const auto& lights) {
-      return LightRows{lights.data(), lights.size() == 1 ? nullptr : light, bounds[kind]};
+    const auto rows = [&]<class Constants>(const std::vector<Constants>& lights) {
+      return LightRows<Constants>{lights.data(), lights.size() == 1 ? nullptr : light, bounds[kind]};
     };
     if (kind == 0) return visit(rows(disks), table.disk[at(maps.disk)], table.disk_solid_angle);
     if (kind == 1) return visit(rows(ellipses), table.ellipse[at(maps.ellipse)], table.ellipse_solid_angle);
