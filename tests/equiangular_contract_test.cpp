@@ -2,6 +2,7 @@
 // own inputs alone, powers of two scale exactly, errors name the span.
 #include "support/bits.h"
 #include "support/isa_fixture.h"
+#include "support/lane_faults.h"
 #include "support/random.h"
 #include "support/segments.h"
 #include "support/statistics.h"
@@ -43,18 +44,8 @@ void expect_sane(const SegmentArrays& segments, std::span<const float> u, const 
   const std::size_t n = segments.size();
   const std::vector<float> asked = pdf(segments, got.t);
   for (std::size_t i = 0; i < u.size(); ++i) {
-    const reference::Segment s = segments.segment(i % n);
-    SCOPED_TRACE("lane " + std::to_string(i));
-    ASSERT_TRUE(std::isfinite(got.pdf[i]) && got.pdf[i] >= 0) << got.pdf[i];
-    ASSERT_TRUE(std::isfinite(got.t[i])) << got.t[i];
-    ASSERT_TRUE(std::isfinite(asked[i]) && asked[i] >= 0) << asked[i];
-    if (got.pdf[i] == 0) {
-      ASSERT_TRUE(same_bits(got.t[i], 0));
-    } else {
-      ASSERT_GE(got.t[i], s.t_min);
-      ASSERT_LE(got.t[i], s.t_max);
-      ASSERT_TRUE(same_bits(asked[i], got.pdf[i]));
-    }
+    const char* const fault = fault_of_distance(segments.segment(i % n), got.t[i], got.pdf[i], asked[i]);
+    ASSERT_EQ(fault, nullptr) << "lane " << i << ": " << fault;
   }
 }
 
@@ -110,8 +101,8 @@ TEST_P(EquiangularContract, NumbersOfAllMagnitudesAreSane) {
   std::vector<float> from(n), to(n);
   equiangular::clip(segments.view(), segments.pivot.view(), {normals.x, normals.y, normals.z}, from, to);
   for (std::size_t i = 0; i < n; ++i) {
-    const bool nothing = same_bits(from[i], 0) && same_bits(to[i], 0);
-    ASSERT_TRUE(nothing || (from[i] < to[i] && from[i] >= segments.t_min[i] && to[i] <= segments.t_max[i])) << i;
+    const char* const fault = fault_of_clipped(segments.segment(i), from[i], to[i]);
+    ASSERT_EQ(fault, nullptr) << "lane " << i << ": " << fault;
   }
 }
 

@@ -5,6 +5,7 @@
 #include "support/frames.h"
 #include "support/light_sets.h"
 #include "support/rectangles.h"
+#include "support/samplable.h"
 #include "support/triangle_lights.h"
 
 #include <cmath>
@@ -86,8 +87,31 @@ float hostile_variate(Random& random, std::size_t i) {
 }
 
 template <class Maps, class Light>
-void add(std::vector<Sampler>& samplers, const std::string& kind, const Light& light, const Maps& maps) {
-  for (const auto map : maps) samplers.emplace_back(kind + " " + name(map), light, map);
+void add(HostileScene& scene, const std::string& kind, const Light& light, const Maps& maps) {
+  const Samplable judgement(outline_of(light));
+  const auto samplable = [&](double least_height) {
+    std::vector<bool> result(scene.points.size());
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      result[i] =
+          Samplable::by(scene.variates.u[i], scene.variates.v[i]) && judgement.from(scene.points[i], least_height);
+    }
+    return result;
+  };
+  const std::vector<bool> by_most_maps = samplable(0);
+  for (const auto map : maps) {
+    scene.samplers.emplace_back(kind + " " + name(map), light, map);
+    scene.samplable.push_back(least_height(map) == 0 ? by_most_maps : samplable(least_height(map)));
+  }
+}
+
+/// The scene's lights as a set, one of them chosen for each point. Each kind's first sampler knows its lanes.
+void add_set(HostileScene& scene, const LightSet& set, const std::vector<std::size_t>& sampler_of_kind) {
+  const std::vector<std::uint32_t> chosen = random_choices(scene.points.size(), set.size());
+  std::vector<bool> samplable(chosen.size());
+  for (std::size_t i = 0; i < chosen.size(); ++i) samplable[i] = scene.samplable[sampler_of_kind[chosen[i]]][i];
+  scene.samplers.push_back(sampler_of(set, chosen));
+  scene.samplers.back().name = "set";
+  scene.samplable.push_back(samplable);
 }
 
 }  // namespace
@@ -101,19 +125,23 @@ HostileScene::HostileScene(std::uint64_t number, std::size_t size) {
   const Rectangle rectangle{rounded(stand.origin), u, v};
   const Triangle triangle{rounded(stand.origin), rounded(stand.at(1, 0, 0)),
                           rounded(stand.at(random.uniform(-1, 1), stand.aspect, 0))};
-  add(samplers, "disk", disk, all_disk_maps);
-  add(samplers, "ellipse", ellipse, all_ellipse_maps);
-  add(samplers, "rectangle", rectangle, all_rectangle_maps);
-  if (check(triangle).empty()) add(samplers, "triangle", triangle, all_triangle_maps);
-  const std::vector<Triangle> triangles(check(triangle).empty() ? 1u : 0u, triangle);
-  const LightSet set(std::span(&disk, 1), std::span(&ellipse, 1), std::span(&rectangle, 1), triangles);
-  samplers.push_back(sampler_of(set, random_choices(size, set.size())));
-  samplers.back().name = "set";
   for (std::size_t i = 0; i < size; ++i) {
     points.push_back(hostile_point(random, stand, i));
     variates.u.push_back(hostile_variate(random, i / 8));
     variates.v.push_back(hostile_variate(random, i / 8 + 5));
   }
+  std::vector<std::size_t> first_of_kind;
+  const auto add_kind = [&](const std::string& kind, const auto& light, const auto& maps) {
+    first_of_kind.push_back(samplers.size());
+    add(*this, kind, light, maps);
+  };
+  add_kind("disk", disk, all_disk_maps);
+  add_kind("ellipse", ellipse, all_ellipse_maps);
+  add_kind("rectangle", rectangle, all_rectangle_maps);
+  const std::vector<Triangle> triangles(check(triangle).empty() ? 1u : 0u, triangle);
+  if (!triangles.empty()) add_kind("triangle", triangle, all_triangle_maps);
+  add_set(*this, LightSet(std::span(&disk, 1), std::span(&ellipse, 1), std::span(&rectangle, 1), triangles),
+          first_of_kind);
 }
 
 }  // namespace hatbox::test

@@ -1,5 +1,6 @@
 // Lights and shading points that nobody would think of: any size and place and turn, and points on the plane, on the
 // rim, at the centre, a hair above, from 1e-30 to 1e18 sizes away, not finite; with variates on the edge and beyond.
+// And which of these ought to be sampled all the same (samplable.h).
 #pragma once
 
 #include "support/random.h"
@@ -16,6 +17,7 @@ struct HostileScene {
   HostileScene(std::uint64_t number, std::size_t size);
 
   std::vector<Sampler> samplers;
+  std::vector<std::vector<bool>> samplable;  // for each sampler, whether a lane ought to be sampled
   PointArrays points;
   VariateArrays variates;
 };

@@ -1,6 +1,7 @@
 // hatbox_soak: random hostile lanes through every map of every light and through a set of them, and what must hold of
-// each is looked at (judge.h). Several host threads call at once, some inside an arena of their own with one thread,
-// some with denormals flushed to zero, while another thread keeps forcing instruction sets.
+// each, and that those are sampled which ought to be, is looked at (judge.h). Several host threads call at once, some
+// inside an arena of their own with one thread, some with denormals flushed to zero, while another thread keeps forcing
+// instruction sets.
 #include "soak/hostile_scene.h"
 #include "soak/judge.h"
 #include "support/denormals.h"
@@ -34,7 +35,8 @@ void soak_scene(std::uint64_t number, Judge& judge) {
   const HostileScene scene(number, lanes_per_call);
   const std::string where = "scene " + std::to_string(number) + ", " + manner_names[static_cast<int>(manner)];
   const Grain grain = manner < Manner::in_parallel ? Grain{} : Grain{64};
-  for (const Sampler& sampler : scene.samplers) {
+  for (std::size_t m = 0; m < scene.samplers.size(); ++m) {
+    const Sampler& sampler = scene.samplers[m];
     SampleArrays samples(lanes_per_call);
     std::vector<float> densities(lanes_per_call);
     const auto call = [&] {
@@ -47,7 +49,7 @@ void soak_scene(std::uint64_t number, Judge& judge) {
     } else {
       call();
     }
-    judge.judge(sampler, samples, densities, where);
+    judge.judge(sampler, scene.points, scene.samplable[m], samples, densities, where);
   }
 }
 
