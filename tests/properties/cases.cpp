@@ -224,6 +224,16 @@ Case Case::scaled(float factor) const {
   return result;
 }
 
+bool Case::same_lane(const Case& other, std::size_t i) const {
+  const auto same = [](const Vec3& p, const Vec3& q) { return p.x == q.x && p.y == q.y && p.z == q.z; };
+  AnyLight here = light, there = other.light;
+  const auto a = lengths(here), b = lengths(there);
+  bool result = same(points[i], other.points[i]);
+  for (std::size_t l = 0; l < a.size(); ++l) result = result && same(*a[l], *b[l]);
+  if (const auto* disk = std::get_if<Disk>(&here)) result = result && disk->radius == std::get<Disk>(there).radius;
+  return result;
+}
+
 Case Case::turned() const {
   Case result = *this;
   const auto turn = [](Vec3& p) { p = {p.y, -p.z, -p.x}; };

@@ -42,6 +42,9 @@ struct Case {
   /// Light and points scaled about the world's origin.
   Case scaled(float factor) const;
 
+  /// Whether it has the light and point i of another case: scaling to denormals and back loses bits.
+  bool same_lane(const Case& other, std::size_t i) const;
+
   /// The world turned: x, y, z become y, -z, -x.
   Case turned() const;
 
