@@ -52,7 +52,7 @@ struct Sampler {
 template <class Light, class Map>
 Sampler::Sampler(std::string sampler_name, const Light& light, const Map& map)
     : name(std::move(sampler_name)),
-      outline(outline_of(light)),
+      outline(check(light).empty() ? outline_of(light) : Outline{}),
       outside([=](double s, double t) { return hatbox::test::outside(light, s, t); }),
       sample([=](const Points& points, const Variates& variates, const Samples& out, Grain grain) {
         grain ? parallel::sample(light, map, points, variates, out, *grain)
