@@ -1,5 +1,4 @@
-// The lights of a packet's points: one for all of them, made once a job, or one a lane, gathered for each packet. Until
-// then it is the first one's, so that there is no time when it is none.
+// The lights of a packet's points: one for all of them, made once a job, or one a lane, gathered for each packet.
 #pragma once
 
 #include "kernel_lights.h"
@@ -14,8 +13,10 @@ class PacketLights {
  public:
   using Light = typename KernelLight<V, Constants>::type;
 
-  HATBOX_INLINE explicit PacketLights(const LightRows<Constants>& rows) : rows_(rows) {
-    const auto* number = reinterpret_cast<const float*>(rows.rows + (rows.index ? *rows.index - rows.first : 0));
+  /// For points from `begin` on, of which there must be one: its light is all others' until some are gathered.
+  HATBOX_INLINE PacketLights(const LightRows<Constants>& rows, std::size_t begin) : rows_(rows) {
+    const std::size_t row = rows.index != nullptr ? rows.index[begin] - rows.first : 0;
+    const auto* number = reinterpret_cast<const float*>(rows.rows + row);
     for (std::size_t i = 0; i < kept; ++i) numbers()[i] = V(number[i]);
     complete();
   }
