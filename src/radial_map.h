@@ -96,11 +96,11 @@ struct ConcentricChart {
 struct PolarChart {
   template <class V>
   static Polar<V> forward(V u, V v) {
-    return polar(u, v);
+    return plain_polar(u, v);
   }
   template <class V>
   static Square<V> inverse(const Polar<V>& p) {
-    return polar_inverse(p);
+    return plain_polar_inverse(p);
   }
 };
 

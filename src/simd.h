@@ -9,7 +9,7 @@
 #endif
 
 #ifdef HATBOX_ISA_ARCH
-#define XSIMD_DEFAULT_ARCH xsimd::unsupported  // a bare batch<float> must not compile (xsimd >= 9; 8.1 ignores it)
+#define XSIMD_DEFAULT_ARCH xsimd::unsupported  // a bare batch<float> must not compile (from xsimd 11.1 on)
 #include <xsimd/xsimd.hpp>
 #endif
 
@@ -116,7 +116,8 @@ inline IfScalar<T> gather(const float* from, T index) {  // of a table; the inde
 inline bool any(bool mask) { return mask; }
 
 #ifdef HATBOX_ISA_ARCH
-// For the one vector type of this object. No templates, so that they win over xsimd's functions of the same name.
+// For the one vector type of this object. No templates, so that they win over xsimd's functions of the same name; those
+// of the kernels, which are templates, must have names of their own.
 using Packet = xsimd::batch<float, HATBOX_ISA_ARCH>;
 using PacketMask = Packet::batch_bool_type;
 
@@ -138,9 +139,17 @@ inline Packet select(const PacketMask& mask, const Packet& yes, const Packet& no
 }
 inline Packet sqrt(const Packet& x) { return xsimd::sqrt(x); }
 inline Packet abs(const Packet& x) { return xsimd::abs(x); }
-#if defined(__x86_64__)  // minps and maxps are just that: the second operand unless the first is less, or greater
-inline Packet min(const Packet& x, const Packet& y) { return xsimd::min(x, y); }
-inline Packet max(const Packet& x, const Packet& y) { return xsimd::max(x, y); }
+// minps and maxps are just that: the second operand unless the first is less, or greater. xsimd 14 swaps their
+// operands.
+#if defined(__AVX512F__)
+inline Packet min(const Packet& x, const Packet& y) { return _mm512_min_ps(x, y); }
+inline Packet max(const Packet& x, const Packet& y) { return _mm512_max_ps(x, y); }
+#elif defined(__AVX__)
+inline Packet min(const Packet& x, const Packet& y) { return _mm256_min_ps(x, y); }
+inline Packet max(const Packet& x, const Packet& y) { return _mm256_max_ps(x, y); }
+#elif defined(__x86_64__)
+inline Packet min(const Packet& x, const Packet& y) { return _mm_min_ps(x, y); }
+inline Packet max(const Packet& x, const Packet& y) { return _mm_max_ps(x, y); }
 #else
 inline Packet min(const Packet& x, const Packet& y) { return select(x < y, x, y); }
 inline Packet max(const Packet& x, const Packet& y) { return select(x > y, x, y); }

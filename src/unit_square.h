@@ -66,9 +66,9 @@ inline Square<V> concentric_inverse(const Polar<V>& p) {
   return {fma(V(0.5), a, V(0.5)), fma(V(0.5), b, V(0.5))};
 }
 
-/// θ = 2πu, radius √v.
+/// θ = 2πu, radius √v. (`polar` alone is xsimd's too from 9.0 on.)
 template <class V>
-inline Polar<V> polar(V u, V v) {
+inline Polar<V> plain_polar(V u, V v) {
   const V turn = clamp_variate(u);
   const Mask<V> upper = turn >= V(0.5);
   const V half_turn = select(upper, turn - V(0.5), turn);
@@ -81,9 +81,9 @@ inline Polar<V> polar(V u, V v) {
   return {sqrt(clamp_variate(v)), {select(upper, -sin, sin), select(upper, -cos, cos)}};
 }
 
-/// The inverse of `polar`.
+/// The inverse of `plain_polar`.
 template <class V>
-inline Square<V> polar_inverse(const Polar<V>& p) {
+inline Square<V> plain_polar_inverse(const Polar<V>& p) {
   const Mask<V> flat = abs(p.angle.cos) > abs(p.angle.sin);
   const V major = select(flat, p.angle.cos, p.angle.sin);
   const V minor = select(flat, p.angle.sin, p.angle.cos);
