@@ -13,6 +13,15 @@
 #include <xsimd/xsimd.hpp>
 #endif
 
+#if defined(HATBOX_ISA_ARCH) && defined(__aarch64__)
+// xsimd (8.1 to 14.3 at least) divides floats on NEON by Newton's method from an estimate, as 32-bit ARM must: not
+// correctly rounded, and NaN for divisors near the ends of the range. Its operator/ is written with this member.
+template <>
+inline xsimd::batch<float, xsimd::neon64>& xsimd::batch<float, xsimd::neon64>::operator/=(const batch& other) noexcept {
+  return *this = vdivq_f32(*this, other);
+}
+#endif
+
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -137,7 +146,11 @@ inline Packet select(const PacketMask& mask, const Packet& yes, const Packet& no
   return _mm_or_ps(_mm_and_ps(mask, yes), _mm_andnot_ps(mask, no));
 #endif
 }
+#if defined(__aarch64__)  // where xsimd's is an approximation
+inline Packet sqrt(const Packet& x) { return vsqrtq_f32(x); }
+#else
 inline Packet sqrt(const Packet& x) { return xsimd::sqrt(x); }
+#endif
 inline Packet abs(const Packet& x) { return xsimd::abs(x); }
 // minps and maxps are just that: the second operand unless the first is less, or greater. xsimd 14 swaps their
 // operands.
