@@ -107,14 +107,14 @@ std::vector<Case> register_carlson_cases() {
     for (const Isa isa : available_isas()) {
       cases.push_back(add_case(integral.name, name(isa), [&integral, isa](benchmark::State& state) {
         force_isa(isa);
-        for (auto _ : state) {
+        for ([[maybe_unused]] auto _ : state) {
           integral.batch(arguments());
           benchmark::ClobberMemory();
         }
       }));
     }
     cases.push_back(add_case(integral.name, "reference", [&integral](benchmark::State& state) {
-      for (auto _ : state) {
+      for ([[maybe_unused]] auto _ : state) {
         for (std::size_t i = 0; i < Arguments::count; ++i) {
           benchmark::DoNotOptimize(integral.scalar(arguments(), i));
         }

@@ -68,7 +68,7 @@ const DiskTable& table_of(std::size_t resolution) {
 void measure_reference(benchmark::State& state, const Case& c, DiskMap map) {
   Arrays& a = arrays(c);
   const reference::DiskFrame<double> frame(light);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     for (std::size_t i = 0; i < a.point_count(); ++i) {
       const Points p = a.points();
       const reference::PaperDisk disk(frame, {p.x[i], p.y[i], p.z[i]});
@@ -83,7 +83,7 @@ void measure_paper_table(benchmark::State& state, const Case& c) {
   Arrays& a = arrays(c);
   const reference::DiskFrame<double> frame(light);
   const Points p = a.points();
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     for (std::size_t i = 0; i < a.point_count(); ++i) {
       const reference::PaperDisk disk(frame, {p.x[i], p.y[i], p.z[i]});
       for (std::size_t at = i; at < a.sample_count(); at += a.point_count()) {

@@ -48,9 +48,10 @@ struct Stratified {
   explicit Stratified(std::size_t n) {
     Random random;
     for (int cell = 0; cell < 16; ++cell) {
+      const int column = cell % 4, row = cell / 4;
       for (std::size_t i = 0; i < n; ++i) {
-        u.push_back((static_cast<float>(cell % 4) + random(0, 1)) / 4);
-        v.push_back((static_cast<float>(cell / 4) + random(0, 1)) / 4);
+        u.push_back((static_cast<float>(column) + random(0, 1)) / 4);
+        v.push_back((static_cast<float>(row) + random(0, 1)) / 4);
       }
     }
   }
@@ -92,7 +93,7 @@ std::vector<DistanceRow> register_distance_cases() {
       benchmark::RegisterBenchmark(c.name().c_str(), [c, distance](benchmark::State& state) {
         Arrays& a = arrays(distance);
         force_isa(available_isas().back());
-        for (auto _ : state) {
+        for ([[maybe_unused]] auto _ : state) {
           sample(c.map, a.points(), a.variates(), a.samples());
           benchmark::ClobberMemory();
         }

@@ -69,7 +69,7 @@ Case add_case(const Case& like, const char* isa, const Work& work) {
   c.isa = isa;
   benchmark::RegisterBenchmark(c.name().c_str(), [c, work](benchmark::State& state) {
     Rays& r = rays(c);
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
       work(r);
       benchmark::ClobberMemory();
     }

@@ -33,7 +33,7 @@ class Registry {
     c.workload = "W1";
     benchmark::RegisterBenchmark(c.name().c_str(), [c, work](benchmark::State& state) {
       Arrays& a = shared_arrays(c.points, c.samples_per_point);
-      for (auto _ : state) {
+      for ([[maybe_unused]] auto _ : state) {
         work(a);
         benchmark::ClobberMemory();
       }

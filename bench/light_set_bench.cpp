@@ -116,7 +116,7 @@ void add(std::vector<Case>& cases, const Case& c, Isa isa, const std::function<v
   benchmark::RegisterBenchmark(c.name().c_str(), [isa, work](benchmark::State& state) {
     force_isa(isa);
     work();  // which makes the scene: in the first measured one it would pass for all there is time for
-    for (auto _ : state) {
+    for ([[maybe_unused]] auto _ : state) {
       work();
       benchmark::ClobberMemory();
     }

@@ -15,7 +15,7 @@ template <class Work>
 void measure(benchmark::State& state, const Case& c, const Work& work) {
   tbb::task_arena arena(c.threads);
   arena.initialize();
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     if (c.threads == 1) {
       work(false);
     } else {

@@ -175,7 +175,8 @@ void write(const std::string& path, std::size_t steps) {
   const std::size_t distances = 7 * steps + 1, elevations = distances / 2;
   std::vector<Rows> rows(distances * elevations);
   tbb::parallel_for(std::size_t{0}, rows.size(), [&](std::size_t i) {
-    const double lower = static_cast<double>(i % elevations) + 0.5, further = static_cast<double>(i / elevations);
+    const std::size_t row = i % elevations, column = i / elevations;
+    const double lower = static_cast<double>(row) + 0.5, further = static_cast<double>(column);
     const double elevation = 90 * std::pow(10, -4 * lower / static_cast<double>(elevations));
     const double distance = std::pow(10, further / static_cast<double>(steps) - 2);
     const double angle = elevation * std::numbers::pi / 180, along = distance * std::cos(angle);

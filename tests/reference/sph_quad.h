@@ -36,10 +36,10 @@ class SphQuad {
     const Vec n0 = unit(cross(v00, v10)), n1 = unit(cross(v10, v11)), n2 = unit(cross(v11, v01)),
               n3 = unit(cross(v01, v00));
     const Real g0 = acos(-dot(n0, n1)), g1 = acos(-dot(n1, n2)), g2 = acos(-dot(n2, n3)), g3 = acos(-dot(n3, n0));
-    b0 = n0.z;
-    b1 = n2.z;
-    k = 2 * acos(Real(-1)) - g2 - g3;
-    S = g0 + g1 - k;
+    b0_ = n0.z;
+    b1_ = n2.z;
+    k_ = 2 * acos(Real(-1)) - g2 - g3;
+    S = g0 + g1 - k_;
   }
 
   /// A point of the rectangle.
@@ -53,9 +53,9 @@ class SphQuad {
     using std::cos;
     using std::sin;
     using std::sqrt;
-    const Real au = u * S + k;
-    const Real fu = (cos(au) * b0 - b1) / sin(au);
-    Real cu = 1 / sqrt(fu * fu + b0 * b0) * (fu > 0 ? 1 : -1);
+    const Real au = u * S + k_;
+    const Real fu = (cos(au) * b0_ - b1_) / sin(au);
+    Real cu = 1 / sqrt(fu * fu + b0_ * b0_) * (fu > 0 ? 1 : -1);
     cu = clamp(cu, -1, 1);
     const Real xu = clamp(-(cu * z0) / sqrt(1 - cu * cu), x0, x1);
     const Real d = sqrt(xu * xu + z0 * z0);
@@ -78,7 +78,7 @@ class SphQuad {
   static Vec unit(const Vec& p) { return Real(1 / norm(p)) * p; }
   static Real clamp(const Real& x, const Real& low, const Real& high) { return x < low ? low : x > high ? high : x; }
 
-  Real b0, b1, k;
+  Real b0_, b1_, k_;
 };
 
 }  // namespace hatbox::reference
