@@ -62,14 +62,21 @@ endfunction()
 
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/kernels)
 
+set(hatbox_is_x86 FALSE)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+  set(hatbox_is_x86 TRUE)
+endif()
+
 # g++ 12 warns of its own AVX-512 header, whose undefined vectors are undefined on purpose (GCC bug 105593).
 set(avx512_header_warnings $<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized>)
 
 # g++ moves structs of vectors in pieces of 16 bytes otherwise, and reading such a vector back whole waits for the pieces.
-include(CheckCXXCompilerFlag)
-check_cxx_compiler_flag(-mmove-max=256 hatbox_has_move_max)
 set(hatbox_move_256)
 set(hatbox_move_512)
+if(hatbox_is_x86)
+  include(CheckCXXCompilerFlag)
+  check_cxx_compiler_flag(-mmove-max=256 hatbox_has_move_max)
+endif()
 if(hatbox_has_move_max)
   set(hatbox_move_256 -mmove-max=256 -mstore-max=256)
   set(hatbox_move_512 -mmove-max=512 -mstore-max=512)
@@ -79,7 +86,7 @@ endif()
 # float), and all that a CPU and its operating system must offer to run them (CPU, as __builtin_cpu_supports names it).
 # -msse4.2 and everything above it lets the compiler use popcnt too.
 hatbox_add_isa(scalar)
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+if(hatbox_is_x86)
   hatbox_add_isa(sse4_2
     FLAGS -msse4.2
     ARCH xsimd::sse4_2

@@ -3,10 +3,6 @@
 set(prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix)
 set(consumer_dir ${CMAKE_CURRENT_BINARY_DIR}/consumer)
 set(scripts_dir ${CMAKE_CURRENT_SOURCE_DIR}/package)
-set(is_x86 FALSE)
-if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
-  set(is_x86 TRUE)
-endif()
 
 add_test(NAME package_version
   COMMAND ${CMAKE_COMMAND} -DVERSION=${PROJECT_VERSION} -DSOURCE_DIR=${PROJECT_SOURCE_DIR}
@@ -31,7 +27,7 @@ set(how_to_build -DTBB_DIR=${TBB_DIR} -DCMAKE_TOOLCHAIN_FILE=${CMAKE_TOOLCHAIN_F
 
 # Compiled for the oldest CPU there is, as whoever links the library may be.
 set(flags ${CMAKE_CXX_FLAGS})
-if(is_x86)
+if(hatbox_is_x86)
   string(APPEND flags " -march=x86-64")
 endif()
 add_test(NAME package_consumer
@@ -62,7 +58,7 @@ if(CMAKE_CROSSCOMPILING OR HATBOX_SANITIZERS OR CMAKE_CXX_FLAGS MATCHES "-fsanit
   return()
 endif()
 
-if(is_x86 AND kind STREQUAL static)
+if(hatbox_is_x86 AND kind STREQUAL static)
   add_test(NAME consumer_instructions
     COMMAND sh -c "\"$1\" --disassemble --no-show-raw-insn \"$2\" | awk -f \"$3\"" -
             ${CMAKE_OBJDUMP} ${consumer_dir}/mis ${scripts_dir}/check_instructions.awk)
