@@ -55,19 +55,21 @@ HATBOX_INLINE inline V or_nan(Mask<V> valid, V value) {
 template <class V>
 HATBOX_INLINE inline V carlson_rf(V x, V y, V z) {
   const FirstKindScale<V> scale(max(max(x, y), z));
+  const Mask<V> not_negative = min(min(x, y), z) >= V(0);  // which what is scaled may be, where denormals are flushed
   x = x * scale.arguments;
   y = y * scale.arguments;
   z = z * scale.arguments;
-  const Mask<V> valid = in_domain(x, y, z);
+  const Mask<V> valid = not_negative && in_domain(x, y, z);
   return or_nan(valid, duplicate_rf(valid, x, y, z) * scale.result);
 }
 
 template <class V>
 HATBOX_INLINE inline V carlson_rc(V x, V y) {
   const FirstKindScale<V> scale(max(x, y));
+  const Mask<V> not_negative = min(x, y) >= V(0);
   x = x * scale.arguments;
   y = y * scale.arguments;
-  const Mask<V> valid = (x >= V(0)) && (y > V(0)) && (x + y < constant<V>(infinity<V>));
+  const Mask<V> valid = not_negative && (y > V(0)) && (x + y < constant<V>(infinity<V>));
   return or_nan(valid, duplicate_rc(valid, x, y) * scale.result);
 }
 
@@ -118,7 +120,7 @@ HATBOX_INLINE inline V carlson_rj(V x, V y, V z, V p) {
   const V product = min(p * (q / high), constant<V>(std::numeric_limits<Scalar<V>>::max()));
   const V difference = carlson_rf(x, y, z) - carlson_rc(low * (middle / high), product);
   const V rest = from_q * scale.r * scale.r * rj * scale.r;  // R_J itself could overflow here
-  return select(far, fma(V(3), difference, -rest) / from_p, result);
+  return select(far && valid, fma(V(3), difference, -rest) / from_p, result);
 }
 
 }  // namespace

@@ -161,7 +161,8 @@ HATBOX_INLINE inline EllipseCone<V>::EllipseCone(const EllipseLight<V>& ellipse,
   set_semi_axes(section, w_n);
   set_axes(section);
   set_places(section, l);
-  this->valid = (l.height >= constant<V>(smallest_normal<V>)) && is_finite(l.offset) &&
+  // Of a lower height products with the ratio of the axes are no normal floats.
+  this->valid = (l.height >= constant<V>(0x1p20 * smallest_normal<V>)) && is_finite(l.offset) &&
                 (confocal.lambda < constant<V>(infinity<V>));
 }
 

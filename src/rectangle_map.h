@@ -42,14 +42,13 @@ HATBOX_INLINE inline LightSample<V> SphericalRectangle<V>::sample(V u, V v) cons
   const V x = point.x.value, y = point.y.value;
   const V along[3] = {select(view_.flip_x, -x, x) * point.inverse_r, select(view_.flip_y, -y, y) * point.inverse_r,
                       view_.uniform.seen_height() * point.inverse_r};
-  // Beside the light r is that of the least height: a sample about as near as that cannot be told from its neighbours.
-  const Mask<V> clear = !view_.beside() || (point.r >= constant<V>(0x1p12 * least_height));
   LightSample<V> out;
   set_direction(view_.light.axes_hi, along, out);
   out.distance = point.r * view_.scale;
   out.pdf = density_.value;
   out.place = view_.place_at(point.x.offset, point.y.offset);
-  out.valid = density_.valid && clear && is_finite(u + v) && is_finite(out.distance + point.inverse_r);
+  out.valid =
+      density_.valid && view_.uniform.tells(point.r) && is_finite(u + v) && is_finite(out.distance + point.inverse_r);
   return out;
 }
 

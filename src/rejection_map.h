@@ -38,7 +38,8 @@ class RejectionMap {
       taken = chosen(taken.on_disk, taken, candidate(hashed.u, hashed.v));
     }
     LightSample<V> out = emit(taken);
-    out.valid = density_.valid && taken.on_disk && is_finite(u + v) && is_finite(out.distance);
+    out.valid =
+        density_.valid && taken.on_disk && square_.tells(taken.r) && is_finite(u + v) && is_finite(out.distance);
     return out;
   }
 

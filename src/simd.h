@@ -13,15 +13,6 @@
 #include <xsimd/xsimd.hpp>
 #endif
 
-#if defined(HATBOX_ISA_ARCH) && defined(__aarch64__)
-// xsimd (8.1 to 14.3 at least) divides floats on NEON by Newton's method from an estimate, as 32-bit ARM must: not
-// correctly rounded, and NaN for divisors near the ends of the range. Its operator/ is written with this member.
-template <>
-inline xsimd::batch<float, xsimd::neon64>& xsimd::batch<float, xsimd::neon64>::operator/=(const batch& other) noexcept {
-  return *this = vdivq_f32(*this, other);
-}
-#endif
-
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -29,6 +20,23 @@ inline xsimd::batch<float, xsimd::neon64>& xsimd::batch<float, xsimd::neon64>::o
 #include <cstring>
 #include <limits>
 #include <type_traits>
+
+#ifdef HATBOX_ISA_ARCH
+#if defined(__aarch64__)
+// xsimd (8.1 to 14.3 at least) divides floats on NEON by Newton's method from an estimate, as 32-bit ARM must: not
+// correctly rounded, and NaN for divisors near the ends of the range. Its operator/ is written with this member.
+template <>
+inline xsimd::batch<float, xsimd::neon64>& xsimd::batch<float, xsimd::neon64>::operator/=(const batch& other) noexcept {
+  return *this = vdivq_f32(*this, other);
+}
+#elif defined(__AVX512F__)
+// Its negative on AVX-512 is 0 − x, which is 0 for 0 where all others' is −0.
+template <>
+inline xsimd::batch<float, HATBOX_ISA_ARCH> xsimd::batch<float, HATBOX_ISA_ARCH>::operator-() const noexcept {
+  return -static_cast<__m512>(*this);
+}
+#endif
+#endif
 
 // A kernel is one loop, in registers from load to store. Compilers think its larger parts too large to inline; under
 // sanitizers, which make them ten times as large, they are right.

@@ -56,10 +56,13 @@ struct AngleAndLength {
   V length;
 };
 
+// Nearer to the centre than this the squares are no normal floats, and every angle is as good.
+inline constexpr double least_radius = 0x1p-51;
+
 template <class V>
 inline AngleAndLength<V> angle_of(V x, V y) {
   const V length = sqrt(fma(x, x, y * y));
-  const Mask<V> centre = !(length >= constant<V>(smallest_normal<V>));
+  const Mask<V> centre = !(length >= constant<V>(least_radius));
   const V inverse = V(1) / select(centre, V(1), length);
   return {{select(centre, V(0), y * inverse), select(centre, V(1), x * inverse)}, length};
 }

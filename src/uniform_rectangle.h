@@ -74,6 +74,10 @@ class UniformRectangle {
   V solid_angle() const { return min(constant<V>(2 * pi), area_ * strips_.shrinking()); }
   V seen_height() const { return strips_.seen_height(); }
 
+  /// Whether a distance is a point's own. Beside the light it is that seen from the least height: what is about as near
+  /// as that cannot be told from its neighbours.
+  Mask<V> tells(V r) const { return !strips_.beside() || (r >= constant<V>(0x1p12 * least_height)); }
+
   HATBOX_INLINE RectanglePoint<V> point(const Shares<V>& u, const Shares<V>& v) const {
     const Coordinate<V> x = x_of(u);
     return y_of(v, x, RectangleLine<V>(strips_, x.value));
@@ -140,11 +144,11 @@ HATBOX_INLINE inline RectanglePoint<V> UniformRectangle<V>::y_of(const Shares<V>
   const V across = min(max(r * fma(v.rest, low.h, v.share * high.h), y0), y1);
 
   // h − h0 = d² rise/(r0 r1). The second step is (y − y0) = (h − h0)/d² · r r0 (y r0 + y0 r)/(y + y0), whose last
-  // quotient is 0/0 for y = y0 = 0 in this form alone.
+  // quotient is 0/0 for y = y0 = 0 in this form alone, and its products of y, which may be denormal, are never rounded.
   const V rise = v.share * e_y * (y0 + y1) / fma(y1, low.r, y0 * high.r);
   const V y = r * fma(line.d2 * (low.inverse_r * high.inverse_r), rise, low.h);
   const V sum_r = r + low.r, sum_y = y + y0;
-  const V slope = V(2) * fma(r, low.r, y * y0) / fma(sum_r, sum_r, sum_y * sum_y);
+  const V slope = V(2) * fma(y, y0, r * low.r) / fma(sum_y, sum_y, sum_r * sum_r);
   const V step = min(e_y, rise * r * high.inverse_r * (sum_r * slope));
   return {x, {select(straddling, across, y0 + step), select(straddling, across - y0, step)}, r, inverse_r};
 }
@@ -172,7 +176,7 @@ inline V UniformRectangle<V>::v_of(V x, V y) const {
   const V across = (y / r - line.low.h) / (line.high.h - line.low.h);
   // `rise` of y over that of y1, in the terms of y_of.
   const V sum_r = r + line.low.r, sum_y = y + y0;
-  const V slope = V(2) * fma(r, line.low.r, y * y0) / fma(sum_r, sum_r, sum_y * sum_y);
+  const V slope = V(2) * fma(y, y0, r * line.low.r) / fma(sum_y, sum_y, sum_r * sum_r);
   const V rise = (y - y0) * line.high.r / (sum_r * slope * r);
   const V rise_of_all = strips_.e_y * (y0 + y1) / fma(y1, line.low.r, y0 * line.high.r);
   return select(y0 < V(0), across, rise / rise_of_all);

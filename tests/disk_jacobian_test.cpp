@@ -24,7 +24,7 @@ double step_off_middle(double u, double v) { return 0.2 * std::min({std::abs(u -
 template <template <class> class Map>
 std::vector<double> jacobian_errors(Pose pose, double (*largest_step)(double, double) = jacobian_step,
                                     std::size_t points_each = 120) {
-  constexpr int grid = 20;
+  constexpr int grid = 32;
   const in_double::DiskLight<double> light(constants_of<double>(disk_in(pose)));
   std::vector<double> errors;
   for (const Workload workload : {Workload::w1, Workload::w2, Workload::w3}) {

@@ -185,6 +185,81 @@ TEST_P(HardLanes, RejectionNextToTheRimStaysOnTheDisk) {
   EXPECT_GT(density[0], 0);
 }
 
+/// Next to the disk's centre the squares of a place are denormal, and the angle it lies at was no unit vector.
+TEST_P(HardLanes, NextToTheCentreThePlaceAndTheDirectionHaveTheSamplesDensity) {
+  const Disk disk = {{0, 0, 0}, {0, 1, 0}, 0.0625f};
+  const Ellipse circle = {{0, 0, 0}, {0, 0, 0.0625f}, {0.0625f, 0, 0}};
+  for (const Sampler& sampler :
+       {Sampler("disk", disk, DiskMap::radial), Sampler("circle", circle, EllipseMap::radial)}) {
+    PointArrays points;
+    for (float off = 1e-12f; off > 1e-24f; off *= 0.7f) points.push_back({0, 0.79086334f, off});
+    const std::vector<float> u(points.size(), 0x1p-10f), v(points.size(), 0.0f);
+    SampleArrays samples(points.size());
+    std::vector<float> of_place(points.size()), of_direction(points.size());
+    sampler.sample(points.view(), {u, v}, samples.view(), {});
+    sampler.pdf_of_place(points.view(), samples.places(), of_place, {});
+    sampler.pdf_of_direction(points.view(), samples.directions(), of_direction, {});
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const float density = samples.at(SampleArrays::pdf, i);
+      ASSERT_NEAR(of_place[i] / density, 1, 1e-5) << sampler.name << " off the axis by " << points.z[i];
+      ASSERT_NEAR(of_direction[i] / density, 1, 1e-5) << sampler.name << " off the axis by " << points.z[i];
+    }
+  }
+}
+
+/// A negative of zero is −0 on every instruction set.
+TEST_P(HardLanes, BitsNextToTheRimAreThoseOfScalar) {
+  const Ellipse ellipse = {{0, 0, 0}, {0x1p-58f, 0, 0}, {0, 0x1.ff8p-59f, 0}};
+  PointArrays point;
+  point.push_back({0, 0x1.ff8p-59f, 0x1p-149f});
+  const std::vector<float> half{0.5f}, low{0x1p-10f};
+  const auto sampled = [&] {
+    SampleArrays samples(1);
+    sample(ellipse, EllipseMap::radial, point.view(), {half, low}, samples.view());
+    return samples;
+  };
+  const SampleArrays got = sampled();
+  const ForcedIsa scalar(Isa::scalar);
+  const SampleArrays expected = sampled();
+  for (std::size_t c = 0; c < got.columns.size(); ++c) {
+    if (GetParam() == Isa::sse4_2) continue;
+    EXPECT_EQ(first_difference(got.columns[c], expected.columns[c]), 1u) << "output " << c;
+  }
+}
+
+/// A distance that is not its own, seen from as near as this, is none.
+TEST_P(HardLanes, RejectionAHairAboveTheRimIsUnitOrNone) {
+  const Disk light = {{0, 0, 0}, {0, 0, 1}, 0x1p-73f};
+  PointArrays points;
+  points.push_back({-0x1p-73f, 0x1.1a6264p-126f, 0x1p-149f});
+  const std::vector<float> u{0x1p-10f}, v{0x1p-10f};
+  SampleArrays samples(1);
+  sample(light, DiskMap::rejection, points.view(), {u, v}, samples.view());
+  if (!samples.valid(0)) return;
+  EXPECT_NEAR(length(samples.direction(0)), 1, 1e-6);
+}
+
+/// Seen along one of its edges, 1 − h of a rectangle's line is denormal.
+TEST_P(HardLanes, ARectangleSeenAlongAnEdgeKeepsItsDirectionsWhereDenormalsAreFlushed) {
+  const Rectangle light = {{0, 0, 0}, {0x1p-55f, 0, 0}, {0, 0x1p-55f, 0}};
+  PointArrays points;
+  points.push_back({0, 0, 0x1p-126f});
+  for (float height = 1e-20f; height > 1e-38f; height *= 0.1f) points.push_back({height, -50 * 0x1p-55f, height});
+  const std::vector<float> u(points.size(), 0.0f), v(points.size(), 0x1.7p-5f);
+  SampleArrays samples(points.size());
+  {
+    const FlushedDenormals flushed;
+    sample(light, RectangleMap::spherical, points.view(), {u, v}, samples.view());
+  }
+  std::size_t sampled = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!samples.valid(i)) continue;
+    ++sampled;
+    EXPECT_NEAR(length(samples.direction(i)), 1, 1e-6) << "from height " << points.z[i];
+  }
+  EXPECT_GT(sampled, 5u);
+}
+
 HATBOX_FOR_EVERY_ISA(HardLanes);
 
 }  // namespace

@@ -41,7 +41,7 @@ struct Samples {
   /// @{
   std::span<float> x, y, z;  ///< unit direction from the shading point to the light
   /// @}
-  std::span<float> distance;     ///< from the shading point to the light along it, world units
+  std::span<float> distance;     ///< from the shading point to the light along it, world units; 0 below 1e-38
   std::span<float> pdf;          ///< density of the direction, per steradian
   std::span<float> s = {};       ///< place on the light, see Places
   std::span<float> t = {};       ///< place on the light, see Places

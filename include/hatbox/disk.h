@@ -29,7 +29,7 @@ enum class DiskMap {
   parallel,   ///< uniform in solid angle, in slices: u goes across the minor axis, v along the slice (ibid., §3.2)
   rejection,  ///< uniform in solid angle over random (u, v): tries in the square about the disk (Gamito 2016)
   radial_carlson,    ///< as radial, by Carlson's elliptic integrals and Newton's method as in the paper: a baseline
-  parallel_carlson,  ///< as parallel, in the same way
+  parallel_carlson,  ///< as parallel, in the same way; nothing from heights below about 1e-8 radii
 };
 
 /// Samples k directions from each of n points: sample j of point i lies at [j·n + i] of `variates` and `out`. The k
@@ -60,7 +60,8 @@ HATBOX_API void sample(const Disk& light, DiskMap map, Points points, Variates v
 HATBOX_API void pdf(const Disk& light, DiskMap map, Points points, Directions directions, std::span<float> out);
 
 /// The density, per steradian, with which `sample` picks the direction to each of the k·n `places`: 0 outside the
-/// light. What `sample` returned with the place is met to 1e-5. For far lights the better of the two: a float direction
+/// light. What `sample` returned with the place is met to 1e-5 but within 1e-5 of the rim, where a float place does not
+/// tell. For far lights the better of the two: a float direction
 /// cannot resolve what lies within 1e-7 rad.
 ///
 /// Cost at one a point, in samples by `area`: 5 to 8; `area` ½.

@@ -3,11 +3,12 @@
 ///
 /// All calls are thread-safe and allocate nothing. They throw std::invalid_argument, before anything is written, if
 /// spans disagree in length, the light is not one (see `check`) or `map` is no EllipseMap; the message names the
-/// argument and its value. A lane that cannot be sampled (its point in the light's plane or not finite, its variate not
-/// finite, its solid angle not a normal float, or further away than 10^19 of the shorter semi-axis) gets 0 in every
-/// output; no lane gets NaN, an infinity or a negative density, and none is touched by another. A lane's bits depend on
-/// its own inputs alone: not on its place, on k, on the number of threads, nor (but for sse4_2, see isa.h) on the
-/// instruction set. Scaling light and points together changes nothing but `distance`.
+/// argument and its value. A lane that cannot be sampled (its point in the light's plane, or nearer to it than 1e-32 of
+/// the longer semi-axis, or not finite, its variate not finite, its solid angle not a normal float, or further away
+/// than 10^19 of the shorter semi-axis) gets 0 in every output; no lane gets NaN, an infinity or a negative density,
+/// and none is touched by another. A lane's bits depend on its own inputs alone: not on its place, on k, on the number
+/// of threads, nor (but for sse4_2, see isa.h) on the instruction set. Scaling light and points together changes
+/// nothing but `distance`.
 ///
 /// Axes that are not quite perpendicular are made so: the shorter loses its part along the longer. Axes as long as each
 /// other but for the rounding of their coordinates are a circle's, and all calls give what they give for a Disk.
@@ -54,7 +55,8 @@ HATBOX_API void sample(const Ellipse& light, EllipseMap map, Points points, Vari
 HATBOX_API void pdf(const Ellipse& light, EllipseMap map, Points points, Directions directions, std::span<float> out);
 
 /// The density, per steradian, with which `sample` picks the direction to each of the k·n `places`: 0 outside the
-/// light. What `sample` returned with the place is met to 1e-5. For far lights the better of the two: a float direction
+/// light. What `sample` returned with the place is met to 1e-5 but within 1e-5 of the rim, where a float place does not
+/// tell. For far lights the better of the two: a float direction
 /// cannot resolve what lies within 1e-7 rad.
 ///
 /// Cost at one a point, in samples by `area`: 12; `area` ½.

@@ -153,7 +153,7 @@ void exercise_ellipse(Input& input, const Manner& manner) {
 }
 
 void exercise_rectangle(Input& input, const Manner& manner) {
-  exercise_kind(input, manner.with_denormals(), "rectangle", rectangle(input), test::all_rectangle_maps);
+  exercise_kind(input, manner, "rectangle", rectangle(input), test::all_rectangle_maps);
 }
 
 void exercise_triangle(Input& input, const Manner& manner) {
@@ -171,8 +171,7 @@ void exercise_table(Input& input, const Manner& manner) {
   if (table) exercise_light(input, manner, "disk by table", disk(input), *table, false);
 }
 
-void exercise_set(Input& input, const Manner& any_manner) {
-  const Manner manner = any_manner.with_denormals();
+void exercise_set(Input& input, const Manner& manner) {
   bool refused = false;
   const auto disks = some(input, manner, refused, disk);
   const auto ellipses = some(input, manner, refused, ellipse);

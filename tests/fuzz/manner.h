@@ -33,14 +33,6 @@ struct Manner {
 
   std::string told() const { return std::string(" (") + name(isa) + (flushing ? ", denormals flushed)" : ")"); }
 
-  /// The same, but with denormals: where they are flushed a rectangle's spherical map has a fault that is known
-  /// (README), and would be found again and again.
-  Manner with_denormals() const {
-    Manner result = *this;
-    result.flushing = false;
-    return result;
-  }
-
   Isa isa;
   bool flushing;
   test::Grain grain;

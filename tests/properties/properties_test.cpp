@@ -77,8 +77,6 @@ TEST_P(Properties, NoLaneBreaksTheRules) {
   hold(any_case(), 4000, [](const Case& c) {
     const Sampler sampler = c.sampler();
     for (const bool flushing : {false, true}) {
-      // A fault that is known (README): a rectangle of 2^-55 a side, from 2^-126 above its corner.
-      if (flushing && c.map_name() == "spherical" && std::holds_alternative<Rectangle>(c.light)) continue;
       SampleArrays samples(c.size());
       std::vector<NamedColumn> asked;
       {

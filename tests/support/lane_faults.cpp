@@ -2,6 +2,7 @@
 
 #include "support/bits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -18,10 +19,12 @@ const char* fault_of_invalid(const SampleArrays& samples, std::size_t i) {
   return nullptr;
 }
 
-/// Whether no distance to the light from here is too small for a normal float: the height above its plane is none.
+/// Whether no distance to the light from here is too small for a normal float: the height above its plane is none, nor
+/// what the rounding of an outline's axes can make of it.
 bool is_clear(const Outline& light, const Vec3& point) {
   const auto normal = normalize(cross(light.along_s, light.along_t));  // NaN of a set, which has no outline
-  return std::abs(dot(reference::convert<double>(point) - light.origin, normal)) >= std::numeric_limits<float>::min();
+  const auto way = reference::convert<double>(point) - light.origin;
+  return std::abs(dot(way, normal)) >= std::max<double>(std::numeric_limits<float>::min(), 1e-6 * length(way));
 }
 
 }  // namespace
