@@ -8,6 +8,8 @@
 
 #include <array>
 #include <span>
+#include <stdexcept>
+#include <string>
 
 namespace hatbox {
 
@@ -59,6 +61,14 @@ inline CallArrays checked_solid_angle(const Points& points, std::span<float> out
   const BatchSize size = {checked_size(points), 1};
   check_size("out", out, size.total());
   return {size, pointers(points), {}, {out.data()}};
+}
+
+/// The kernels of a map of a light, `name` being the enum's.
+template <class Constants, std::size_t n, class Map>
+const MapKernels<Constants>& kernels_of(const LightKernels<Constants, n>& light, Map map, const char* name) {
+  const auto index = static_cast<std::size_t>(map);
+  if (index < n) return light.maps[index];
+  throw std::invalid_argument(std::string("map: there is no ") + name + " " + std::to_string(index));
 }
 
 template <class Constants>

@@ -17,6 +17,7 @@
 #pragma once
 
 #include "disk_cone.h"
+#include "ellipse_light.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {

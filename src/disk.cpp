@@ -1,7 +1,6 @@
 // The public calls for disks.
 #include "calls.h"
 #include "dispatch.h"
-#include "light_constants.h"
 
 #include <hatbox/disk.h>
 
@@ -13,9 +12,7 @@ namespace hatbox {
 namespace {
 
 const MapKernels<DiskConstants>& kernels_of(DiskMap map) {
-  const auto index = static_cast<std::size_t>(map);
-  if (index >= disk_map_count) throw std::invalid_argument("map: there is no DiskMap " + std::to_string(index));
-  return active_kernels().disk[index];
+  return hatbox::kernels_of(active_kernels().disk, map, "DiskMap");
 }
 
 const MapKernels<DiskConstants>& invertible_kernels_of(DiskMap map) {
@@ -67,7 +64,7 @@ void invert(const Disk& light, DiskMap map, Points points, Directions directions
 }
 
 void solid_angle(const Disk& light, Points points, std::span<float> out) {
-  call_solid_angle({}, active_kernels().disk_solid_angle, ready(light), points, out);
+  call_solid_angle({}, active_kernels().disk.solid_angle, ready(light), points, out);
 }
 
 namespace parallel {
@@ -91,7 +88,7 @@ void invert(const Disk& light, DiskMap map, Points points, Directions directions
 }
 
 void solid_angle(const Disk& light, Points points, std::span<float> out, std::size_t grain) {
-  call_solid_angle(parallel_with(grain), active_kernels().disk_solid_angle, ready(light), points, out);
+  call_solid_angle(parallel_with(grain), active_kernels().disk.solid_angle, ready(light), points, out);
 }
 
 }  // namespace parallel

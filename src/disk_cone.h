@@ -14,7 +14,7 @@
 #pragma once
 
 #include "compensated.h"
-#include "kernel_lights.h"
+#include "disk_light.h"
 #include "light_sample.h"
 #include "spherical_ellipse.h"
 
@@ -60,10 +60,6 @@ struct DiskLocal {
 template <class V>
 inline const V& shorter_per_unit(const DiskLight<V>& light) {
   return light.per_unit;
-}
-template <class V>
-inline const V& shorter_per_unit(const EllipseLight<V>& light) {
-  return light.shorter_per_unit;
 }
 
 // A rounded difference, u or v is the exact one of a point or a light an ulp aside, which is all that is known of them.

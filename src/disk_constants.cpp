@@ -1,4 +1,4 @@
-#include "light_constants.h"
+#include "disk_constants.h"
 
 #include "light_frame.h"
 

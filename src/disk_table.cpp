@@ -2,7 +2,6 @@
 #include "calls.h"
 #include "dispatch.h"
 #include "eta_rows.h"
-#include "light_constants.h"
 
 #include <hatbox/disk_table.h>
 

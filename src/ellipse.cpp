@@ -1,7 +1,6 @@
 // The public calls for ellipses.
 #include "calls.h"
 #include "dispatch.h"
-#include "light_constants.h"
 #include "light_frame.h"
 
 #include <hatbox/ellipse.h>
@@ -15,9 +14,7 @@ namespace hatbox {
 namespace {
 
 const MapKernels<EllipseConstants>& kernels_of(EllipseMap map) {
-  const auto index = static_cast<std::size_t>(map);
-  if (index >= ellipse_map_count) throw std::invalid_argument("map: there is no EllipseMap " + std::to_string(index));
-  return active_kernels().ellipse[index];
+  return hatbox::kernels_of(active_kernels().ellipse, map, "EllipseMap");
 }
 
 }  // namespace
@@ -67,7 +64,7 @@ void invert(const Ellipse& light, EllipseMap map, Points points, Directions dire
 }
 
 void solid_angle(const Ellipse& light, Points points, std::span<float> out) {
-  call_solid_angle({}, active_kernels().ellipse_solid_angle, ready(light), points, out);
+  call_solid_angle({}, active_kernels().ellipse.solid_angle, ready(light), points, out);
 }
 
 namespace parallel {
@@ -91,7 +88,7 @@ void invert(const Ellipse& light, EllipseMap map, Points points, Directions dire
 }
 
 void solid_angle(const Ellipse& light, Points points, std::span<float> out, std::size_t grain) {
-  call_solid_angle(parallel_with(grain), active_kernels().ellipse_solid_angle, ready(light), points, out);
+  call_solid_angle(parallel_with(grain), active_kernels().ellipse.solid_angle, ready(light), points, out);
 }
 
 }  // namespace parallel

@@ -15,8 +15,8 @@
 // what table and interpolation cost is never bias, only uniformity.
 #pragma once
 
+#include "disk_light.h"
 #include "eta_series.h"
-#include "kernel_lights.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {

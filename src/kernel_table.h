@@ -2,21 +2,16 @@
 // kernels.cpp is compiled once per instruction set and exports one KernelTable each; dispatch.cpp picks one.
 #pragma once
 
-#include "light_constants.h"
+#include "disk_constants.h"
+#include "ellipse_constants.h"
+#include "light_rows.h"
+#include "rectangle_constants.h"
+#include "triangle_constants.h"
 
 #include <cstddef>
 #include <cstdint>
 
 namespace hatbox {
-
-/// The lights of a call: rows[0] for all points, or where there is an index, rows[index[i] - first] for point i.
-/// `Constants` is what is kept of a light, such as DiskConstants.
-template <class Constants>
-struct LightRows {
-  const Constants* rows;
-  const std::uint32_t* index;
-  std::uint32_t first;
-};
 
 /// One call of `sample`: n points, k samples each, outputs that may be null.
 template <class Constants>
@@ -60,12 +55,16 @@ struct MapKernels {
   QueryKernel<Constants> invert;
 };
 
-inline constexpr std::size_t widest_packet = 32;  // lanes that are worked on at a time, at the most
+/// All that one kind of light can do.
+template <class Constants, std::size_t n>
+struct LightKernels {
+  static constexpr std::size_t map_count = n;
 
-inline constexpr std::size_t disk_map_count = 7;
-inline constexpr std::size_t ellipse_map_count = 3;
-inline constexpr std::size_t rectangle_map_count = 3;
-inline constexpr std::size_t triangle_map_count = 2;
+  MapKernels<Constants> maps[n];  // in the order of the light's enum
+  QueryKernel<Constants> solid_angle;
+};
+
+inline constexpr std::size_t widest_packet = 32;  // lanes that are worked on at a time, at the most
 
 /// One call of an elliptic integral: the arrays of its arguments, in the order of the call.
 struct CarlsonJob {
@@ -101,17 +100,13 @@ struct SegmentKernels {
 
 /// Everything one instruction set has to offer.
 struct KernelTable {
-  const char* isa;                                 // what the object was compiled for: "scalar", "sse4_2", …
-  std::size_t lanes;                               // floats in a packet
-  MapKernels<DiskConstants> disk[disk_map_count];  // in the order of DiskMap
-  MapKernels<TabulatedDisk> disk_table[2];         // ld_radial, radial
-  QueryKernel<DiskConstants> disk_solid_angle;
-  MapKernels<EllipseConstants> ellipse[ellipse_map_count];  // in the order of EllipseMap
-  QueryKernel<EllipseConstants> ellipse_solid_angle;
-  MapKernels<RectangleConstants> rectangle[rectangle_map_count];  // in the order of RectangleMap
-  QueryKernel<RectangleConstants> rectangle_solid_angle;
-  MapKernels<TriangleConstants> triangle[triangle_map_count];  // in the order of TriangleMap
-  QueryKernel<TriangleConstants> triangle_solid_angle;
+  const char* isa;    // what the object was compiled for: "scalar", "sse4_2", …
+  std::size_t lanes;  // floats in a packet
+  LightKernels<DiskConstants, 7> disk;
+  MapKernels<TabulatedDisk> disk_table[2];  // ld_radial, radial
+  LightKernels<EllipseConstants, 3> ellipse;
+  LightKernels<RectangleConstants, 3> rectangle;
+  LightKernels<TriangleConstants, 2> triangle;
   CarlsonKernels carlson;
   void (*permute)(const float* from, const std::uint32_t* index, float* to, std::size_t n);  // to[i] = from[index[i]]
   // Lists those of n numbers that lie in [low, high): in order, where they are and which. Returns how many; both lists

@@ -29,10 +29,10 @@ void check_map(const char* name, Map map, std::size_t count) {
 }
 
 void check_maps(const LightSet::Maps& maps) {
-  check_map("maps.disk", maps.disk, disk_map_count);
-  check_map("maps.ellipse", maps.ellipse, ellipse_map_count);
-  check_map("maps.rectangle", maps.rectangle, rectangle_map_count);
-  check_map("maps.triangle", maps.triangle, triangle_map_count);
+  check_map("maps.disk", maps.disk, decltype(KernelTable::disk)::map_count);
+  check_map("maps.ellipse", maps.ellipse, decltype(KernelTable::ellipse)::map_count);
+  check_map("maps.rectangle", maps.rectangle, decltype(KernelTable::rectangle)::map_count);
+  check_map("maps.triangle", maps.triangle, decltype(KernelTable::triangle)::map_count);
 }
 
 std::array<std::uint32_t, light_kind_count + 1> bounds_of(const std::array<std::size_t, light_kind_count>& counts) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "kernel_table.h"
-#include "light_constants.h"
 
 #include <hatbox/light_set.h>
 
@@ -32,10 +31,11 @@ struct LightSet::Data {
     const auto rows = [&]<class Constants>(const std::vector<Constants>& lights) {
       return LightRows<Constants>{lights.data(), lights.size() == 1 ? nullptr : light, bounds[kind]};
     };
-    if (kind == 0) return visit(rows(disks), table.disk[at(maps.disk)], table.disk_solid_angle);
-    if (kind == 1) return visit(rows(ellipses), table.ellipse[at(maps.ellipse)], table.ellipse_solid_angle);
-    if (kind == 2) return visit(rows(rectangles), table.rectangle[at(maps.rectangle)], table.rectangle_solid_angle);
-    return visit(rows(triangles), table.triangle[at(maps.triangle)], table.triangle_solid_angle);
+    if (kind == 0) return visit(rows(disks), table.disk.maps[at(maps.disk)], table.disk.solid_angle);
+    if (kind == 1) return visit(rows(ellipses), table.ellipse.maps[at(maps.ellipse)], table.ellipse.solid_angle);
+    if (kind == 2)
+      return visit(rows(rectangles), table.rectangle.maps[at(maps.rectangle)], table.rectangle.solid_angle);
+    return visit(rows(triangles), table.triangle.maps[at(maps.triangle)], table.triangle.solid_angle);
   }
 };
 

@@ -1,7 +1,8 @@
 // The lights of a packet's points: one for all of them, made once a job, or one a lane, gathered for each packet.
 #pragma once
 
-#include "kernel_lights.h"
+#include "disk_light.h"
+#include "kernel_table.h"
 #include "lanes.h"
 #include "packets.h"
 

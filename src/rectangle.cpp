@@ -1,7 +1,6 @@
 // The public calls for rectangles.
 #include "calls.h"
 #include "dispatch.h"
-#include "light_constants.h"
 #include "light_frame.h"
 
 #include <hatbox/rectangle.h>
@@ -21,11 +20,7 @@ bool too_short(const Vec3& edge) { return length(edge) < static_cast<double>(std
 bool too_long(const Vec3& edge) { return length(edge) > static_cast<double>(std::numeric_limits<float>::max()); }
 
 const MapKernels<RectangleConstants>& kernels_of(RectangleMap map) {
-  const auto index = static_cast<std::size_t>(map);
-  if (index >= rectangle_map_count) {
-    throw std::invalid_argument("map: there is no RectangleMap " + std::to_string(index));
-  }
-  return active_kernels().rectangle[index];
+  return hatbox::kernels_of(active_kernels().rectangle, map, "RectangleMap");
 }
 
 }  // namespace
@@ -69,7 +64,7 @@ void invert(const Rectangle& light, RectangleMap map, Points points, Directions 
 }
 
 void solid_angle(const Rectangle& light, Points points, std::span<float> out) {
-  call_solid_angle({}, active_kernels().rectangle_solid_angle, ready(light), points, out);
+  call_solid_angle({}, active_kernels().rectangle.solid_angle, ready(light), points, out);
 }
 
 namespace parallel {
@@ -95,7 +90,7 @@ void invert(const Rectangle& light, RectangleMap map, Points points, Directions 
 }
 
 void solid_angle(const Rectangle& light, Points points, std::span<float> out, std::size_t grain) {
-  call_solid_angle(parallel_with(grain), active_kernels().rectangle_solid_angle, ready(light), points, out);
+  call_solid_angle(parallel_with(grain), active_kernels().rectangle.solid_angle, ready(light), points, out);
 }
 
 }  // namespace parallel

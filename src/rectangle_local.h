@@ -9,8 +9,8 @@
 #pragma once
 
 #include "compensated.h"
-#include "kernel_lights.h"
 #include "light_sample.h"
+#include "rectangle_light.h"
 #include "unit_square.h"
 
 #include <limits>

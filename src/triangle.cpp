@@ -1,7 +1,6 @@
 // The public calls for triangles.
 #include "calls.h"
 #include "dispatch.h"
-#include "light_constants.h"
 
 #include <hatbox/triangle.h>
 
@@ -13,9 +12,7 @@ namespace hatbox {
 namespace {
 
 const MapKernels<TriangleConstants>& kernels_of(TriangleMap map) {
-  const auto index = static_cast<std::size_t>(map);
-  if (index >= triangle_map_count) throw std::invalid_argument("map: there is no TriangleMap " + std::to_string(index));
-  return active_kernels().triangle[index];
+  return hatbox::kernels_of(active_kernels().triangle, map, "TriangleMap");
 }
 
 }  // namespace
@@ -54,7 +51,7 @@ void invert(const Triangle& light, TriangleMap map, Points points, Directions di
 }
 
 void solid_angle(const Triangle& light, Points points, std::span<float> out) {
-  call_solid_angle({}, active_kernels().triangle_solid_angle, ready(light), points, out);
+  call_solid_angle({}, active_kernels().triangle.solid_angle, ready(light), points, out);
 }
 
 namespace parallel {
@@ -79,7 +76,7 @@ void invert(const Triangle& light, TriangleMap map, Points points, Directions di
 }
 
 void solid_angle(const Triangle& light, Points points, std::span<float> out, std::size_t grain) {
-  call_solid_angle(parallel_with(grain), active_kernels().triangle_solid_angle, ready(light), points, out);
+  call_solid_angle(parallel_with(grain), active_kernels().triangle.solid_angle, ready(light), points, out);
 }
 
 }  // namespace parallel

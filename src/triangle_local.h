@@ -7,8 +7,8 @@
 #pragma once
 
 #include "compensated.h"
-#include "kernel_lights.h"
 #include "light_sample.h"
+#include "triangle_light.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {

@@ -2,7 +2,7 @@
 // the solid-angle maps are.
 #include "golden/disk_golden.h"
 #include "reference/disk_eta_reference.h"
-#include "support/disk_maps.h"
+#include "support/disks.h"
 #include "support/isa_fixture.h"
 #include "support/statistics.h"
 #include "support/uniformity.h"

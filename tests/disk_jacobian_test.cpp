@@ -1,8 +1,8 @@
 // The pdf that `sample` returns is the true density of its map, shown on the kernel's own text, instantiated in double.
 #define HATBOX_ISA in_double
-#include "maps.h"
+#include "disk_maps.h"
 
-#include "light_constants.h"
+#include "disk_constants.h"
 #include "support/jacobian.h"
 #include "support/statistics.h"
 #include "support/workloads.h"

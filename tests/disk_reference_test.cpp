@@ -4,7 +4,7 @@
 #include "golden/disk_golden.h"
 #include "reference/disk_eta_reference.h"
 #include "reference/irradiance.h"
-#include "support/disk_maps.h"
+#include "support/disks.h"
 #include "support/statistics.h"
 #include "support/workloads.h"
 

@@ -1,9 +1,9 @@
 // DiskMap::rejection: not a bijection, so it is held by the square it tries in, by statistics and by its bound of
 // tries.
 #define HATBOX_ISA rejection_in_double
-#include "maps.h"
+#include "disk_maps.h"
 
-#include "light_constants.h"
+#include "disk_constants.h"
 #include "reference/irradiance.h"
 #include "support/isa_fixture.h"
 #include "support/statistics.h"

@@ -1,7 +1,7 @@
 // The calls against each other: what `sample` returns, `pdf` and `invert` must recognise; and the geometry of a sample.
 #include "reference/disk_eta_reference.h"
 #include "support/conditioning.h"
-#include "support/disk_maps.h"
+#include "support/disks.h"
 #include "support/isa_fixture.h"
 #include "support/opposites.h"
 #include "support/statistics.h"

@@ -2,7 +2,7 @@
 // solid-angle map is never noisier than area sampling.
 #include "reference/disk_eta_reference.h"
 #include "reference/irradiance.h"
-#include "support/disk_maps.h"
+#include "support/disks.h"
 #include "support/isa_fixture.h"
 #include "support/statistics.h"
 #include "support/workloads.h"

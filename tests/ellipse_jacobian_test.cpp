@@ -1,9 +1,9 @@
 // The pdf that `sample` returns for an ellipse is the true density of its map, shown on the kernel's own text,
 // instantiated in double.
 #define HATBOX_ISA in_double
-#include "maps.h"
+#include "ellipse_maps.h"
 
-#include "light_constants.h"
+#include "ellipse_constants.h"
 #include "support/ellipses.h"
 #include "support/jacobian.h"
 #include "support/statistics.h"

@@ -2,7 +2,7 @@
 #include "reference/ellipse_reference.h"
 #include "golden/ellipse_golden.h"
 #include "support/conditioning.h"
-#include "support/disk_maps.h"
+#include "support/disks.h"
 #include "support/ellipses.h"
 
 #include <gtest/gtest.h>

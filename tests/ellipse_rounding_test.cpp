@@ -1,8 +1,8 @@
 // What float costs: the directions of the kernels against those of their own text in double.
 #define HATBOX_ISA in_double
-#include "maps.h"
+#include "ellipse_maps.h"
 
-#include "light_constants.h"
+#include "ellipse_constants.h"
 #include "support/conditioning.h"
 #include "support/ellipses.h"
 #include "support/isa_fixture.h"

@@ -1,5 +1,5 @@
 // A LightSet gives every point what the call for its light alone gives it, bit for bit, however the lights are mixed.
-#include "light_constants.h"
+#include "kernel_table.h"
 #include "support/isa_fixture.h"
 #include "support/light_sets.h"
 #include "support/sampler_calls.h"

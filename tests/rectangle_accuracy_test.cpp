@@ -1,9 +1,9 @@
 // How right the numbers of a rectangle are: solid angle, places and directions against the paper's formulas in 33
 // digits, those of two_triangles against the kernel's own text in double.
 #define HATBOX_ISA in_double
-#include "maps.h"
+#include "rectangle_maps.h"
 
-#include "light_constants.h"
+#include "rectangle_constants.h"
 #include "reference/rectangle_reference.h"
 #include "support/isa_fixture.h"
 #include "support/rectangles.h"
@@ -122,7 +122,7 @@ void expect_close(const Rectangle& light, Workload workload, const Case& given, 
     radians.push_back(static_cast<double>(by_direction));
     diameters.push_back(static_cast<double>(std::min(by_direction, by_place) / reference.diameter()));
     places.push_back(static_cast<double>(std::max(std::abs(s - expected.s), std::abs(t - expected.t))));
-    ASSERT_LE(hatbox::test::outside(light, static_cast<double>(s), static_cast<double>(t)), 1e-5);
+    ASSERT_LE(outline_of(light).beyond(static_cast<double>(s), static_cast<double>(t)), 1e-5);
   }
   report_quantiles("radians_" + what, radians);
   report_quantiles("diameters_" + what, diameters);

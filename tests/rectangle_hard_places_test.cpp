@@ -55,7 +55,7 @@ TEST_P(RectangleHardPlaces, SamplesAreSane) {
                   << name(shape) << " " << name(map) << " from " << points.x[i] << ", " << points.y[i] << ", " << height
                   << " at " << u << ", " << v;
               const double s = samples.at(SampleArrays::s, i), t = samples.at(SampleArrays::t, i);
-              ASSERT_LE(hatbox::test::outside(light, s, t), 1e-5) << points.x[i] << ", " << points.y[i];
+              ASSERT_LE(outline_of(light).beyond(s, t), 1e-5) << points.x[i] << ", " << points.y[i];
             }
           }
         }

@@ -2,9 +2,9 @@
 // differentiated numerically, and the solid angle it stretches du dv over must be du dv/pdf. The direction is taken
 // from the place, which far from the light has digits that a direction has not.
 #define HATBOX_ISA rectangle_in_double
-#include "maps.h"
+#include "rectangle_maps.h"
 
-#include "light_constants.h"
+#include "rectangle_constants.h"
 #include "support/jacobian.h"
 #include "support/rectangles.h"
 #include "support/statistics.h"

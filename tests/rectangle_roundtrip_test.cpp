@@ -1,8 +1,8 @@
 // The calls against each other: what `sample` returns, `pdf` and `invert` must recognise; and the geometry of a sample.
 #define HATBOX_ISA in_double
-#include "maps.h"
+#include "rectangle_maps.h"
 
-#include "light_constants.h"
+#include "rectangle_constants.h"
 #include "reference/vector.h"
 #include "support/conditioning.h"
 #include "support/isa_fixture.h"

@@ -3,7 +3,7 @@
 #include "slice_area.h"
 
 #include "disk_cone.h"
-#include "light_constants.h"
+#include "disk_constants.h"
 #include "reference/spherical_ellipse.h"
 #include "support/random.h"
 #include "support/statistics.h"

@@ -1,6 +1,6 @@
 // Lights of every kind, valid ones and others, points around them, sets of them.
 #include "fuzz/targets.h"
-#include "support/disk_maps.h"
+#include "support/disks.h"
 #include "support/ellipses.h"
 #include "support/frames.h"
 #include "support/light_sets.h"

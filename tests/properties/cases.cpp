@@ -1,6 +1,6 @@
 #include "properties/cases.h"
 
-#include "support/disk_maps.h"
+#include "support/disks.h"
 #include "support/ellipses.h"
 #include "support/frames.h"
 #include "support/rectangles.h"

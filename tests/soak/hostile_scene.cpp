@@ -1,6 +1,6 @@
 #include "soak/hostile_scene.h"
 
-#include "support/disk_maps.h"
+#include "support/disks.h"
 #include "support/ellipses.h"
 #include "support/frames.h"
 #include "support/light_sets.h"

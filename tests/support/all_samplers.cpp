@@ -1,6 +1,6 @@
 #include "support/all_samplers.h"
 
-#include "support/disk_maps.h"
+#include "support/disks.h"
 #include "support/ellipses.h"
 #include "support/rectangles.h"
 #include "support/triangle_lights.h"

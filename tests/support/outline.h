@@ -19,6 +19,9 @@ struct Outline {
   reference::Vector<double> at(double s, double t) const { return origin + s * along_s + t * along_t; }
   std::array<double, 2> middle() const;
 
+  /// How far a place lies outside of the light, in the place's own units; negative inside.
+  double beyond(double s, double t) const;
+
   /// The way from the place (s, t) inside to the rim, in the direction (cos, sin) of places.
   double to_rim(const std::array<double, 2>& from, double angle) const;
 };
@@ -52,6 +55,16 @@ inline std::array<double, 2> Outline::middle() const {
     sum[1] += corner[1] / static_cast<double>(corners.size());
   }
   return sum;
+}
+
+inline double Outline::beyond(double s, double t) const {
+  if (corners.empty()) return std::hypot(s, t) - 1;
+  double farthest = -INFINITY;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto &p = corners[i], &q = corners[(i + 1) % corners.size()];
+    farthest = std::max(farthest, (q[1] - p[1]) * (s - p[0]) + (p[0] - q[0]) * (t - p[1]));
+  }
+  return farthest;
 }
 
 inline double Outline::to_rim(const std::array<double, 2>& from, double angle) const {

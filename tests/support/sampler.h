@@ -19,13 +19,6 @@ namespace hatbox::test {
 /// How a call is run: sequentially, or in parallel with a grain.
 using Grain = std::optional<std::size_t>;
 
-/// How far a place lies outside of its light, in the place's own units; negative inside.
-inline double outside(const Disk&, double s, double t) { return std::hypot(s, t) - 1; }
-inline double outside(const Ellipse&, double s, double t) { return std::hypot(s, t) - 1; }
-inline double outside(const Rectangle&, double s, double t) { return std::max({-s, s - 1, -t, t - 1}); }
-
-inline double outside(const Triangle&, double s, double t) { return std::max({-s, -t, s + t - 1}); }
-
 template <class Map>
 bool has_inverse(const Map&) {
   return true;
@@ -40,7 +33,7 @@ struct Sampler {
 
   std::string name;
   Outline outline;
-  std::function<double(double s, double t)> outside;
+  std::function<double(double s, double t)> outside;  // Outline::beyond; none of a set
   std::function<void(const Points&, const Variates&, const Samples&, Grain)> sample;
   std::function<void(const Points&, const Directions&, std::span<float>, Grain)> pdf_of_direction;
   std::function<void(const Points&, const Places&, std::span<float>, Grain)> pdf_of_place;
@@ -53,7 +46,7 @@ template <class Light, class Map>
 Sampler::Sampler(std::string sampler_name, const Light& light, const Map& map)
     : name(std::move(sampler_name)),
       outline(check(light).empty() ? outline_of(light) : Outline{}),
-      outside([=](double s, double t) { return hatbox::test::outside(light, s, t); }),
+      outside([of = outline](double s, double t) { return of.beyond(s, t); }),
       sample([=](const Points& points, const Variates& variates, const Samples& out, Grain grain) {
         grain ? parallel::sample(light, map, points, variates, out, *grain)
               : hatbox::sample(light, map, points, variates, out);

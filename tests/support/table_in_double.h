@@ -5,10 +5,10 @@
 #error "include this before any kernel header"
 #endif
 #define HATBOX_ISA in_double
-#include "maps.h"
+#include "disk_maps.h"
 
+#include "disk_constants.h"
 #include "eta_rows.h"
-#include "light_constants.h"
 #include "support/workloads.h"
 
 #include <memory>

@@ -2,11 +2,11 @@
 // triangle_accuracy_test.cpp holds against golden values first. Needs HATBOX_ISA, as the kernels do.
 #pragma once
 
-#include "maps.h"
+#include "triangle_maps.h"
 
-#include "light_constants.h"
 #include "reference/vector.h"
 #include "support/triangle_lights.h"
+#include "triangle_constants.h"
 
 #include <algorithm>
 #include <array>

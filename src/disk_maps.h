@@ -1,20 +1,15 @@
-// The maps of every light, by the names of the public enums.
+// The maps of a disk, by the names of DiskMap.
 #pragma once
 
 #include "area_map.h"
-#include "ellipse_cone.h"
-#include "eta_hybrid.h"
+#include "disk_cone.h"
+#include "eta_series.h"
 #include "eta_table.h"
 #include "parallel_carlson_map.h"
 #include "parallel_map.h"
 #include "radial_carlson_map.h"
 #include "radial_map.h"
-#include "rectangle_area_map.h"
-#include "rectangle_map.h"
 #include "rejection_map.h"
-#include "triangle_area_map.h"
-#include "triangle_map.h"
-#include "two_triangles_map.h"
 
 namespace hatbox::HATBOX_ISA {
 namespace {
@@ -37,25 +32,6 @@ template <class V>
 using DiskTableLdRadial = RadialMap<DiskCone<V>, EtaTable<V>, ConcentricChart>;
 template <class V>
 using DiskTableRadial = RadialMap<DiskCone<V>, EtaTable<V>, PolarChart>;
-
-template <class V>
-using EllipseArea = AreaMap<EllipseCone<V>>;
-template <class V>
-using EllipseLdRadial = RadialMap<EllipseCone<V>, EtaHybrid<V>, ConcentricChart>;
-template <class V>
-using EllipseRadial = RadialMap<EllipseCone<V>, EtaHybrid<V>, PolarChart>;
-
-template <class V>
-using RectangleArea = RectangleAreaMap<V>;
-template <class V>
-using RectangleTwoTriangles = TwoTriangles<V>;
-template <class V>
-using RectangleSpherical = SphericalRectangle<V>;
-
-template <class V>
-using TriangleArea = TriangleAreaMap<V>;
-template <class V>
-using TriangleSpherical = TriangleMapOf<V>;
 
 }  // namespace
 }  // namespace hatbox::HATBOX_ISA
