@@ -33,7 +33,7 @@ function(hatbox_add_isa isa)
     target_compile_options(${target} PRIVATE -fno-sanitize=null,alignment,object-size,vptr)
   endif()
   target_compile_definitions(${target} PRIVATE HATBOX_ISA=${isa})
-  # To find out which pointers never meet takes a third of the time, and makes no instruction in a hundred go away.
+  # To find out which pointers never meet takes a third of the time, and makes nothing faster.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-pta>)
   # A unique symbol would stay global whatever objcopy is told.
   target_compile_options(${target} PRIVATE ${arg_FLAGS} $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
