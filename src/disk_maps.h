@@ -1,4 +1,4 @@
-// The maps of a disk, by the names of DiskMap.
+// The maps of a disk, by the names of DiskMap: those that are made of parts.
 #pragma once
 
 #include "area_map.h"
@@ -22,12 +22,6 @@ template <class V>
 using DiskRadial = RadialMap<DiskCone<V>, EtaSeries<V>, PolarChart>;
 template <class V>
 using DiskParallel = ParallelMap<DiskCone<V>>;
-template <class V>
-using DiskRejection = RejectionMap<V>;
-template <class V>
-using DiskRadialCarlson = RadialCarlsonMap<V>;
-template <class V>
-using DiskParallelCarlson = ParallelCarlsonMap<V>;
 template <class V>
 using DiskTableLdRadial = RadialMap<DiskCone<V>, EtaTable<V>, ConcentricChart>;
 template <class V>

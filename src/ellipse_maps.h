@@ -1,4 +1,4 @@
-// The maps of an elliptical disk, by the names of EllipseMap.
+// The maps of an elliptical disk, by the names of EllipseMap, made of the same parts.
 #pragma once
 
 #include "area_map.h"

@@ -5,8 +5,11 @@
 #include "ellipse_maps.h"
 #include "equiangular_kernels.h"
 #include "light_kernels.h"
-#include "rectangle_maps.h"
-#include "triangle_maps.h"
+#include "rectangle_area_map.h"
+#include "rectangle_map.h"
+#include "triangle_area_map.h"
+#include "triangle_map.h"
+#include "two_triangles_map.h"
 
 #define HATBOX_NAME_OF(prefix, isa) HATBOX_JOIN(prefix, isa)
 #define HATBOX_JOIN(prefix, isa) prefix##isa

@@ -25,9 +25,9 @@ HATBOX_INLINE inline V cube_root(V x) {
 }
 
 template <class V>
-class ParallelCarlsonMap {
+class DiskParallelCarlson {
  public:
-  HATBOX_INLINE ParallelCarlsonMap(const DiskLight<V>& light, V x, V y, V z) : cone_(light, x, y, z) {
+  HATBOX_INLINE DiskParallelCarlson(const DiskLight<V>& light, V x, V y, V z) : cone_(light, x, y, z) {
     cos2_beta_ = cone_.cos_beta * cone_.cos_beta;
     cos2_alpha_ = cone_.k2 * cos2_beta_;
     valid_ = cone_.valid && (cos2_alpha_ * cos2_beta_ >= constant<V>(smallest_));
@@ -81,7 +81,7 @@ class ParallelCarlsonMap {
   static constexpr double smallest_ = 0x1p-110;  // cos²α cos²β, so that R_J stays in range
 
   struct Slice {
-    HATBOX_INLINE Slice(const ParallelCarlsonMap& map, const SinCos<V>& at)
+    HATBOX_INLINE Slice(const DiskParallelCarlson& map, const SinCos<V>& at)
         : zeta(at),
           sin2(at.sin * at.sin),
           cos2(at.cos * at.cos),

@@ -28,9 +28,9 @@ struct Quadrant {
 };
 
 template <class V>
-class RadialCarlsonMap {
+class DiskRadialCarlson {
  public:
-  HATBOX_INLINE RadialCarlsonMap(const DiskLight<V>& light, V x, V y, V z)
+  HATBOX_INLINE DiskRadialCarlson(const DiskLight<V>& light, V x, V y, V z)
       : cone_(light, x, y, z), area_(cone_, cone_.valid) {
     quadrant_ = area_.quadrant();
     density_ = V(0.25) * cone_.inverse_ab / quadrant_;

@@ -21,9 +21,9 @@ inline V solid_angle_of(const RectangleView<V>& view) {
 }
 
 template <class V>
-class SphericalRectangle {
+class RectangleSpherical {
  public:
-  HATBOX_INLINE SphericalRectangle(const RectangleLight<V>& light, V x, V y, V z)
+  HATBOX_INLINE RectangleSpherical(const RectangleLight<V>& light, V x, V y, V z)
       : view_(light, x, y, z), density_(view_.valid, solid_angle_of(view_)) {}
 
   HATBOX_INLINE LightSample<V> sample(V u, V v) const;
@@ -37,7 +37,7 @@ class SphericalRectangle {
 };
 
 template <class V>
-HATBOX_INLINE inline LightSample<V> SphericalRectangle<V>::sample(V u, V v) const {
+HATBOX_INLINE inline LightSample<V> RectangleSpherical<V>::sample(V u, V v) const {
   const RectanglePoint<V> point = view_.uniform.point(shares_of(u, view_.flip_x), shares_of(v, view_.flip_y));
   const V x = point.x.value, y = point.y.value;
   const V along[3] = {select(view_.flip_x, -x, x) * point.inverse_r, select(view_.flip_y, -y, y) * point.inverse_r,
@@ -53,7 +53,7 @@ HATBOX_INLINE inline LightSample<V> SphericalRectangle<V>::sample(V u, V v) cons
 }
 
 template <class V>
-inline Square<V> SphericalRectangle<V>::invert(const V (&direction)[3]) const {
+inline Square<V> RectangleSpherical<V>::invert(const V (&direction)[3]) const {
   const RectangleHit<V> hit = view_.hit(direction);
   const V u = view_.uniform.u_of(hit.x), v = view_.uniform.v_of(hit.x, hit.y);
   const Mask<V> inside = hit.inside && density_.valid;

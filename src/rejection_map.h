@@ -21,11 +21,11 @@ namespace hatbox::HATBOX_ISA {
 namespace {
 
 template <class V>
-class RejectionMap {
+class DiskRejection {
  public:
   static constexpr int tries = 15;
 
-  HATBOX_INLINE RejectionMap(const DiskLight<V>& light, V x, V y, V z)
+  HATBOX_INLINE DiskRejection(const DiskLight<V>& light, V x, V y, V z)
       : cone_(light, x, y, z),
         scale_(power_of_two(largest(cone_))),
         square_(sides_of(cone_)),

@@ -9,11 +9,11 @@ namespace hatbox::HATBOX_ISA {
 namespace {
 
 template <class V>
-class TriangleAreaMap {
+class TriangleArea {
  public:
   static constexpr bool is_cheap = true;  // so cheap that where the light lies counts
 
-  HATBOX_INLINE TriangleAreaMap(const TriangleLight<V>& light, V x, V y, V z) : light_(light), point_{x, y, z} {
+  HATBOX_INLINE TriangleArea(const TriangleLight<V>& light, V x, V y, V z) : light_(light), point_{x, y, z} {
     for (int i = 0; i < 3; ++i) l_[i] = (V(light.vertex[i]) - point_[i]) * V(light.inverse_unit);
     height_ = dot(l_, light.axes_hi[2], light.axes_lo[2]);  // next to the plane the products cancel
     volume_ = V(light.area) * abs(height_);

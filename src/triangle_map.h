@@ -55,9 +55,9 @@ inline Mask<V> on_unit_triangle(const Place<V>& place) {
 }
 
 template <class V>
-class TriangleMapOf {
+class TriangleSpherical {
  public:
-  HATBOX_INLINE TriangleMapOf(const TriangleLight<V>& light, V x, V y, V z)
+  HATBOX_INLINE TriangleSpherical(const TriangleLight<V>& light, V x, V y, V z)
       : view_(light, x, y, z), density_(view_.valid, solid_angle_of(view_)) {}
 
   HATBOX_INLINE LightSample<V> sample(V u, V v) const {

@@ -60,10 +60,10 @@ struct RectangleHalves {
 };
 
 template <class V>
-class TwoTriangles {
+class RectangleTwoTriangles {
  public:
-  HATBOX_INLINE TwoTriangles(const RectangleLight<V>& light, V x, V y, V z)
-      : TwoTriangles(light, RectangleHalves<V>(light, x, y, z)) {}
+  HATBOX_INLINE RectangleTwoTriangles(const RectangleLight<V>& light, V x, V y, V z)
+      : RectangleTwoTriangles(light, RectangleHalves<V>(light, x, y, z)) {}
 
   HATBOX_INLINE LightSample<V> sample(V u, V v) const {
     const Choice choice = choose(clamp_variate(u));
@@ -104,7 +104,7 @@ class TwoTriangles {
     Mask<V> inside;
   };
 
-  HATBOX_INLINE TwoTriangles(const RectangleLight<V>& light, const RectangleHalves<V>& halves)
+  HATBOX_INLINE RectangleTwoTriangles(const RectangleLight<V>& light, const RectangleHalves<V>& halves)
       : light_(light),
         first_(halves.first),
         second_(halves.second),

@@ -1,7 +1,9 @@
 // How right the numbers of a rectangle are: solid angle, places and directions against the paper's formulas in 33
 // digits, those of two_triangles against the kernel's own text in double.
 #define HATBOX_ISA in_double
-#include "rectangle_maps.h"
+#include "rectangle_area_map.h"
+#include "rectangle_map.h"
+#include "two_triangles_map.h"
 
 #include "rectangle_constants.h"
 #include "reference/rectangle_reference.h"

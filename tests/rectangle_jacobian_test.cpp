@@ -2,7 +2,9 @@
 // differentiated numerically, and the solid angle it stretches du dv over must be du dv/pdf. The direction is taken
 // from the place, which far from the light has digits that a direction has not.
 #define HATBOX_ISA rectangle_in_double
-#include "rectangle_maps.h"
+#include "rectangle_area_map.h"
+#include "rectangle_map.h"
+#include "two_triangles_map.h"
 
 #include "rectangle_constants.h"
 #include "support/jacobian.h"

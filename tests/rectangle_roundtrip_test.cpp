@@ -1,6 +1,8 @@
 // The calls against each other: what `sample` returns, `pdf` and `invert` must recognise; and the geometry of a sample.
 #define HATBOX_ISA in_double
-#include "rectangle_maps.h"
+#include "rectangle_area_map.h"
+#include "rectangle_map.h"
+#include "two_triangles_map.h"
 
 #include "rectangle_constants.h"
 #include "reference/vector.h"

@@ -2,7 +2,8 @@
 // triangle_accuracy_test.cpp holds against golden values first. Needs HATBOX_ISA, as the kernels do.
 #pragma once
 
-#include "triangle_maps.h"
+#include "triangle_area_map.h"
+#include "triangle_map.h"
 
 #include "reference/vector.h"
 #include "support/triangle_lights.h"
