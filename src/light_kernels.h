@@ -53,7 +53,7 @@ void sample(const SampleJob<Constants>& shared_job, std::size_t begin, std::size
                         HATBOX_INLINE { return memory.load(job.point[axis] + i); };
   const std::size_t middle = end_of_whole_packets(begin, end);
   if (begin != middle) {
-    PacketLights<WidePacket, Constants> lights(job.lights, begin);
+    PacketLights<WidePacket, Constants> lights(job.lights);
     const auto sample_packets = [&](const auto& lights_at, auto count) HATBOX_INLINE {
       for_each_whole_packet(begin, middle, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
         const Map<WidePacket> map(lights_at(i), load(memory, 0, i), load(memory, 1, i), load(memory, 2, i));
@@ -62,21 +62,23 @@ void sample(const SampleJob<Constants>& shared_job, std::size_t begin, std::size
     };
     const auto gathered = [&](std::size_t i) HATBOX_INLINE -> const auto& { return lights.of(i, lanes<WidePacket>); };
     if constexpr (is_cheap<Map<WidePacket>>) {
-      const auto light = lights.of(begin, lanes<WidePacket>);  // our own too, to be kept in registers
-      const auto same = [&](std::size_t) HATBOX_INLINE -> const auto& { return light; };
       if (job.lights.index != nullptr) {
         sample_packets(gathered, job.samples_per_point);
-      } else if (job.samples_per_point == 1) {
-        sample_packets(same, std::integral_constant<std::size_t, 1>());
       } else {
-        sample_packets(same, job.samples_per_point);
+        const auto light = lights.of(begin, lanes<WidePacket>);  // our own too, to be kept in registers
+        const auto same = [&](std::size_t) HATBOX_INLINE -> const auto& { return light; };
+        if (job.samples_per_point == 1) {
+          sample_packets(same, std::integral_constant<std::size_t, 1>());
+        } else {
+          sample_packets(same, job.samples_per_point);
+        }
       }
     } else {
       sample_packets(gathered, job.samples_per_point);
     }
   }
   if (middle != end) {
-    PacketLights<Packet, Constants> lights(job.lights, middle);
+    PacketLights<Packet, Constants> lights(job.lights);
     for_each_narrow_packet(middle, end, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
       const auto map =
           set_up<Map>(lights.of(i, memory.count), load(memory, 0, i), load(memory, 1, i), load(memory, 2, i));
@@ -89,7 +91,7 @@ void sample(const SampleJob<Constants>& shared_job, std::size_t begin, std::size
 template <template <class> class Map, class Constants, class Answer>
 HATBOX_INLINE inline void for_each_query(const QueryJob<Constants>& job, std::size_t begin, std::size_t end,
                                          const Answer& answer) {
-  PacketLights<Packet, Constants> lights(job.lights, begin);
+  PacketLights<Packet, Constants> lights(job.lights);
   for_each_narrow_packet(begin, end, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
     const auto map = set_up<Map>(lights.of(i, memory.count), memory.load(job.point[0] + i),
                                  memory.load(job.point[1] + i), memory.load(job.point[2] + i));
@@ -130,7 +132,7 @@ void invert(const QueryJob<Constants>& job, std::size_t begin, std::size_t end) 
 
 template <template <class> class Cone, class Constants>
 void solid_angle(const QueryJob<Constants>& job, std::size_t begin, std::size_t end) {
-  PacketLights<Packet, Constants> lights(job.lights, begin);
+  PacketLights<Packet, Constants> lights(job.lights);
   for_each_narrow_packet(begin, end, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
     using V = VectorOf<decltype(memory)>;
     const Cone<V> cone(lights.of(i, memory.count), memory.load(job.point[0] + i), memory.load(job.point[1] + i),

@@ -14,10 +14,9 @@ class PacketLights {
  public:
   using Light = typename KernelLight<V, Constants>::type;
 
-  /// For points from `begin` on, of which there must be one: its light is all others' until some are gathered.
-  HATBOX_INLINE PacketLights(const LightRows<Constants>& rows, std::size_t begin) : rows_(rows) {
-    const std::size_t row = rows.index != nullptr ? rows.index[begin] - rows.first : 0;
-    const auto* number = reinterpret_cast<const float*>(rows.rows + row);
+  HATBOX_INLINE explicit PacketLights(const LightRows<Constants>& rows) : rows_(rows) {
+    if (rows.index != nullptr) return;
+    const auto* number = reinterpret_cast<const float*>(rows.rows);
     for (std::size_t i = 0; i < kept; ++i) numbers()[i] = V(number[i]);
     complete();
   }

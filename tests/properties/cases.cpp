@@ -2,9 +2,9 @@
 
 #include "support/disks.h"
 #include "support/ellipses.h"
-#include "support/frames.h"
 #include "support/rectangles.h"
 #include "support/samplable.h"
+#include "support/stand.h"
 #include "support/triangle_lights.h"
 
 #include <algorithm>
@@ -49,15 +49,6 @@ double power_of_two(int low, int high) {
 
 double either_sign(double x) { return *inRange(0, 2) ? -x : x; }
 
-/// Where a light lies.
-struct Stand {
-  Vector origin{0, 0, 0};
-  Frame axes;
-  double size = 1, aspect = 1;
-
-  Vector at(double u, double v, double n) const { return origin + size * (u * axes.u + v * axes.v + n * axes.n); }
-};
-
 /// One of the world's frames, or any.
 Frame any_frame() {
   const int kind = *inRange(0, 5);
@@ -84,13 +75,11 @@ Stand any_stand(bool gentle) {
 }
 
 AnyLight light_at(const Stand& stand, std::size_t kind) {
-  const Vec3 origin = rounded(stand.origin), u = rounded(stand.size * stand.axes.u),
-             v = rounded(stand.size * stand.aspect * stand.axes.v);
   switch (kind) {
-    case 0: return Disk{origin, rounded(stand.axes.n), static_cast<float>(stand.size)};
-    case 1: return Ellipse{origin, u, v};
-    case 2: return Rectangle{origin, u, v};
-    default: return Triangle{origin, rounded(stand.at(1, 0, 0)), rounded(stand.at(between(-1, 1), stand.aspect, 0))};
+    case 0: return stand.disk();
+    case 1: return stand.ellipse();
+    case 2: return stand.rectangle();
+    default: return stand.triangle(between(-1, 1));
   }
 }
 

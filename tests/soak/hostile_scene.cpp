@@ -2,10 +2,10 @@
 
 #include "support/disks.h"
 #include "support/ellipses.h"
-#include "support/frames.h"
 #include "support/light_sets.h"
 #include "support/rectangles.h"
 #include "support/samplable.h"
+#include "support/stand.h"
 #include "support/triangle_lights.h"
 
 #include <cmath>
@@ -16,23 +16,10 @@
 namespace hatbox::test {
 namespace {
 
-using Vector = reference::Vector<double>;
-
 double signed_log_uniform(Random& random, double low, double high) {
   const double size = random.log_uniform(low, high);
   return random.unit() < 0.5 ? -size : size;
 }
-
-/// Where the lights are: their common corner or centre, axes and sizes.
-struct Stand {
-  Vector origin{0, 0, 0};
-  Frame axes;
-  double size = 1, aspect = 1;
-
-  Vector at(double along_u, double along_v, double along_n) const {
-    return origin + size * (along_u * axes.u + along_v * axes.v + along_n * axes.n);
-  }
-};
 
 Stand random_stand(Random& random) {
   Stand stand;
@@ -119,12 +106,10 @@ void add_set(HostileScene& scene, const LightSet& set, const std::vector<std::si
 HostileScene::HostileScene(std::uint64_t number, std::size_t size) {
   Random random(static_cast<std::uint32_t>(number * 2654435761u + 1));
   const Stand stand = random_stand(random);
-  const Vec3 u = rounded(stand.size * stand.axes.u), v = rounded(stand.size * stand.aspect * stand.axes.v);
-  const Disk disk{rounded(stand.origin), rounded(stand.axes.n), static_cast<float>(stand.size)};
-  const Ellipse ellipse{rounded(stand.origin), u, v};
-  const Rectangle rectangle{rounded(stand.origin), u, v};
-  const Triangle triangle{rounded(stand.origin), rounded(stand.at(1, 0, 0)),
-                          rounded(stand.at(random.uniform(-1, 1), stand.aspect, 0))};
+  const Disk disk = stand.disk();
+  const Ellipse ellipse = stand.ellipse();
+  const Rectangle rectangle = stand.rectangle();
+  const Triangle triangle = stand.triangle(random.uniform(-1, 1));
   for (std::size_t i = 0; i < size; ++i) {
     points.push_back(hostile_point(random, stand, i));
     variates.u.push_back(hostile_variate(random, i / 8));

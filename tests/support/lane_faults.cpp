@@ -40,7 +40,8 @@ const char* fault_of(const Sampler& sampler, const Vec3& point, const SampleArra
   if (distance < 0 || (distance == 0 && is_clear(sampler.outline, point))) return "the distance is not positive";
   if (std::abs(samples.at(SampleArrays::cosine, i)) > 1 + 1e-6f) return "the cosine is beyond 1";
   const double s = samples.at(SampleArrays::s, i), t = samples.at(SampleArrays::t, i);
-  if (sampler.outside && sampler.outside(s, t) > off_the_light) return "the place is outside of the light";
+  if (!sampler.outline.is_nowhere() && sampler.outline.beyond(s, t) > off_the_light)
+    return "the place is outside of the light";
   return nullptr;
 }
 

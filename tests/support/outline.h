@@ -19,6 +19,9 @@ struct Outline {
   reference::Vector<double> at(double s, double t) const { return origin + s * along_s + t * along_t; }
   std::array<double, 2> middle() const;
 
+  /// Whether it is that of no one light.
+  bool is_nowhere() const { return along_s.x == 0 && along_s.y == 0 && along_s.z == 0; }
+
   /// How far a place lies outside of the light, in the place's own units; negative inside.
   double beyond(double s, double t) const;
 

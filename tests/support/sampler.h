@@ -32,8 +32,7 @@ struct Sampler {
   Sampler(std::string sampler_name, const Light& light, const Map& map);
 
   std::string name;
-  Outline outline;
-  std::function<double(double s, double t)> outside;  // Outline::beyond; none of a set
+  Outline outline;  // nowhere, of a set
   std::function<void(const Points&, const Variates&, const Samples&, Grain)> sample;
   std::function<void(const Points&, const Directions&, std::span<float>, Grain)> pdf_of_direction;
   std::function<void(const Points&, const Places&, std::span<float>, Grain)> pdf_of_place;
@@ -46,7 +45,6 @@ template <class Light, class Map>
 Sampler::Sampler(std::string sampler_name, const Light& light, const Map& map)
     : name(std::move(sampler_name)),
       outline(check(light).empty() ? outline_of(light) : Outline{}),
-      outside([of = outline](double s, double t) { return of.beyond(s, t); }),
       sample([=](const Points& points, const Variates& variates, const Samples& out, Grain grain) {
         grain ? parallel::sample(light, map, points, variates, out, *grain)
               : hatbox::sample(light, map, points, variates, out);
