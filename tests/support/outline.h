@@ -13,7 +13,7 @@ namespace hatbox::test {
 
 /// The place (s, t) is origin + s·along_s + t·along_t. A round light is the unit disk of places, and has no corners.
 struct Outline {
-  reference::Vector<double> origin, along_s, along_t;
+  reference::Vector<double> origin{}, along_s{}, along_t{};
   std::vector<std::array<double, 2>> corners;
 
   reference::Vector<double> at(double s, double t) const { return origin + s * along_s + t * along_t; }
