@@ -4,8 +4,7 @@
 // Then the row's B-spline is made to pass through the result.
 #include "eta_rows.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
+#include "schedule.h"
 
 #include <algorithm>
 #include <array>
@@ -154,11 +153,9 @@ std::shared_ptr<const float[]> make_eta_rows(std::size_t resolution) {
   const auto rows = std::make_shared<float[]>(resolution * resolution);  // zeros, as D is where σ is 0
   const std::vector<Place> places = places_in_row(resolution - 2);
   const Spline spline(resolution);
-  tbb::this_task_arena::isolate([&] {
-    tbb::parallel_for(std::size_t{1}, resolution, [&](std::size_t row) {
-      const double sigma = static_cast<double>(row) / static_cast<double>(resolution - 1);
-      fill_row(rows.get() + row * resolution, sigma, places, spline);
-    });
+  for_each_in_parallel(1, resolution, [&](std::size_t row) {
+    const double sigma = static_cast<double>(row) / static_cast<double>(resolution - 1);
+    fill_row(rows.get() + row * resolution, sigma, places, spline);
   });
   return rows;
 }

@@ -5,6 +5,7 @@
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,8 +27,17 @@ inline std::size_t block_size(std::size_t grain, std::size_t per_point) {
   return std::max<std::size_t>(points / widest_packet, 1) * widest_packet;
 }
 
-/// Calls work(begin, end) for all of the points. In parallel that is done in blocks, in the caller's TBB arena and
-/// isolated from its other tasks; a job of one block stays in the caller's thread.
+/// Calls body(i) for all i of [first, last), in the caller's TBB arena and isolated from its other tasks. Denormals are
+/// flushed, or not, as in the caller's thread: TBB's have the modes of whoever happened to make them.
+template <class Body>
+void for_each_in_parallel(std::size_t first, std::size_t last, const Body& body) {
+  using Context = tbb::task_group_context;
+  Context context(Context::bound, Context::default_traits | Context::fp_settings);
+  tbb::this_task_arena::isolate([&] { tbb::parallel_for(first, last, body, context); });
+}
+
+/// Calls work(begin, end) for all of the points, in parallel in blocks; a job of one block stays in the caller's
+/// thread.
 template <class Work>
 void run_blocks(const Schedule& schedule, std::size_t points, std::size_t per_point, const Work& work) {
   const std::size_t block = block_size(schedule.grain, per_point);
@@ -36,10 +46,7 @@ void run_blocks(const Schedule& schedule, std::size_t points, std::size_t per_po
     return;
   }
   const std::size_t blocks = (points + block - 1) / block;
-  tbb::this_task_arena::isolate([&] {
-    tbb::parallel_for(std::size_t{0}, blocks,
-                      [&](std::size_t i) { work(i * block, std::min(points, (i + 1) * block)); });
-  });
+  for_each_in_parallel(0, blocks, [&](std::size_t i) { work(i * block, std::min(points, (i + 1) * block)); });
 }
 
 /// Runs a kernel over all of the points.

@@ -62,7 +62,7 @@ namespace parallel {
 /// @{
 /// The same calls, the arrays split into blocks by TBB, in the caller's task arena and isolated from its other tasks.
 /// `grain` is the least number of elements a block (0: chosen by the library); a job of one block runs in the caller's
-/// thread.
+/// thread. All threads flush denormals if that does.
 HATBOX_API void carlson_rf(std::span<const float> x, std::span<const float> y, std::span<const float> z,
                            std::span<float> out, std::size_t grain = 0);
 HATBOX_API void carlson_rc(std::span<const float> x, std::span<const float> y, std::span<float> out,

@@ -85,7 +85,7 @@ namespace parallel::equiangular {
 /// @{
 /// The same calls, the segments split into blocks by TBB, in the caller's task arena and isolated from its other tasks.
 /// `grain` is the least number of segments a block (0: chosen by the library); a job of one block runs in the caller's
-/// thread.
+/// thread. All threads flush denormals if that does.
 HATBOX_API void sample(Segments segments, Points pivots, std::span<const float> u, std::span<float> t,
                        std::span<float> pdf, std::size_t grain = 0);
 HATBOX_API void pdf(Segments segments, Points pivots, std::span<const float> t, std::span<float> out,

@@ -82,7 +82,7 @@ namespace parallel {
 /// @{
 /// The same calls, the points split into blocks by TBB, in the caller's task arena and isolated from its other tasks.
 /// `grain` is the least number of points a block (0: chosen by the library); a job of one block runs in the caller's
-/// thread.
+/// thread. All threads flush denormals if that does.
 HATBOX_API void sample(const Triangle& light, TriangleMap map, Points points, Variates variates, Samples out,
                        std::size_t grain = 0);
 HATBOX_API void pdf(const Triangle& light, TriangleMap map, Points points, Directions directions, std::span<float> out,
