@@ -31,7 +31,9 @@ struct Manner {
     return check(light).empty();
   }
 
-  std::string told() const { return std::string(" (") + name(isa) + (flushing ? ", denormals flushed)" : ")"); }
+  std::string told() const {
+    return std::string(" (") + name(isa) + (flushing ? ", denormals flushed" : "") + (grain ? ", in parallel)" : ")");
+  }
 
   Isa isa;
   bool flushing;
