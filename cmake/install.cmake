@@ -3,6 +3,7 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS hatbox EXPORT hatbox_targets)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY include/hatbox ${PROJECT_BINARY_DIR}/include/hatbox DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
 set(hatbox_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/hatbox)

@@ -1,5 +1,7 @@
 #include "arguments.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -20,8 +22,13 @@ BatchSize checked_batch(const Points& points, const char* name, std::size_t coun
 
 bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+std::string to_string(float x) {
+  std::array<char, 32> digits = {};
+  return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr};
+}
+
 std::string to_string(const Vec3& v) {
-  return std::string("(") + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ")";
+  return std::string("(") + to_string(v.x) + ", " + to_string(v.y) + ", " + to_string(v.z) + ")";
 }
 
 void check_size(const char* name, std::span<const float> array, std::size_t expected) {

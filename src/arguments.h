@@ -13,7 +13,8 @@ namespace hatbox {
 
 bool is_finite(const Vec3& v);
 
-/// For messages: "(x, y, z)".
+/// For messages: as many digits as tell a number from all others; "(x, y, z)".
+std::string to_string(float x);
 std::string to_string(const Vec3& v);
 
 /// How many shading points a call has and how many numbers (samples or queries) for each of them.

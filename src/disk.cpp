@@ -38,7 +38,7 @@ DiskConstants ready(const Disk& light) {
   const std::string_view problem = check(light);
   if (problem.empty()) return constants_of<float>(light);
   throw std::invalid_argument(std::string(problem) + "; center " + to_string(light.center) + ", normal " +
-                              to_string(light.normal) + ", radius " + std::to_string(light.radius));
+                              to_string(light.normal) + ", radius " + to_string(light.radius));
 }
 
 Axes axes(const Disk& light) {

@@ -97,9 +97,10 @@ HATBOX_INLINE inline Eigen<V> eigen(const EllipseLight<V>& light, V w_u, V w_v, 
   const V ratio2 = V(light.ratio2);
   const V difference = fma(V(light.flattening), Z, fma(-ratio2, X, Y));
   const V product = V(light.ratio) * (w_u * w_v);
-  const V size2 = fma(difference, difference, V(4) * (product * product));
-  const Mask<V> circular = !(size2 >= constant<V>(smallest_normal<V>));
-  const V size = sqrt(select(circular, V(1), size2));
+  // Nearer to the axis what of these may have underflowed counts, and squares of them did long before.
+  const V length = length_of_small(difference, V(2) * product);
+  const Mask<V> circular = !(length >= constant<V>(0x1p26 * smallest_normal<V>));
+  const V size = select(circular, V(1), length);
   const V inverse_size = V(1) / size;
   const V large = select(circular, V(1), sqrt(fma(V(0.5) * abs(difference), inverse_size, V(0.5))));
   const V small = select(circular, V(0), abs(product) * inverse_size / large);

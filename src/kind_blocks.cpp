@@ -1,7 +1,5 @@
 #include "kind_blocks.h"
 
-#include <algorithm>
-
 namespace hatbox {
 
 std::optional<std::size_t> KindBlock::sort(const LightSet::Data& set, const KernelTable& table,

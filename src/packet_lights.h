@@ -1,4 +1,5 @@
-// The lights of a packet's points: one for all of them, made once a job, or one a lane, gathered for each packet.
+// The lights of a packet's points: one for all of them, made once a call of a kernel, or one a lane, gathered for each
+// packet.
 #pragma once
 
 #include "disk_light.h"

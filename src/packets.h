@@ -4,6 +4,8 @@
 
 #include "lanes.h"
 
+#include <cstring>
+
 namespace hatbox::HATBOX_ISA {
 namespace {
 
@@ -11,7 +13,6 @@ namespace {
 template <class V>
 struct WholePacket {
   using Vector = V;
-  static constexpr bool whole = true;
   V load(const float* from) const { return hatbox::HATBOX_ISA::load(from, V()); }
   void store(float* to, V value) const { hatbox::HATBOX_ISA::store(to, value); }
 };
@@ -20,7 +21,6 @@ struct WholePacket {
 template <class V>
 struct AnyPacket {
   using Vector = V;
-  static constexpr bool whole = false;
   V load(const float* from) const {
     if (count == lanes<V>) return hatbox::HATBOX_ISA::load(from, V());
     float padded[lanes<V>] = {};
@@ -67,7 +67,7 @@ inline std::size_t end_of_whole_packets(std::size_t begin, std::size_t end) {
   return end - (end - begin) % lanes<WidePacket>;
 }
 
-/// The same for whole packets, as fast as can be. For sampling.
+/// The same where there are whole packets alone, as fast as can be. For sampling.
 template <class Body>
 HATBOX_INLINE inline void for_each_whole_packet(std::size_t begin, std::size_t end, const Body& body) {
   for (std::size_t i = begin; i < end; i += lanes<WidePacket>) body(WholePacket<WidePacket>(), i);

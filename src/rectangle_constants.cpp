@@ -2,8 +2,6 @@
 
 #include "light_frame.h"
 
-#include <cmath>
-
 namespace hatbox {
 namespace {
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace hatbox {
 
@@ -20,19 +21,21 @@ struct Schedule {
 inline Schedule parallel_with(std::size_t grain) { return {.parallel = true, .grain = grain}; }
 
 /// Points a block, for k samples each: about what fits the first-level cache with its inputs and outputs and is worth a
-/// task, and a multiple of the widest packet, so that only the job's last packet is a partial one.
+/// task, or the grain, and a multiple of the widest packet, so that only the job's last packet is a partial one.
 inline std::size_t block_size(std::size_t grain, std::size_t per_point) {
   constexpr std::size_t samples_per_block = 1024;
   const std::size_t points = grain != 0 ? grain : samples_per_block / std::max<std::size_t>(per_point, 1);
-  return std::max<std::size_t>(points / widest_packet, 1) * widest_packet;
+  const std::size_t packets = points / widest_packet + (points % widest_packet != 0 ? 1 : 0);
+  return std::max<std::size_t>(std::min(packets, SIZE_MAX / widest_packet), 1) * widest_packet;
 }
 
-/// Calls body(i) for all i of [first, last), in the caller's TBB arena and isolated from its other tasks. Denormals are
-/// flushed, or not, as in the caller's thread: TBB's have the modes of whoever happened to make them.
+/// Calls body(i) for all i of [first, last), in the caller's TBB arena and isolated from its other tasks, be they
+/// cancelled. Denormals are flushed, or not, as in the caller's thread: TBB's have the modes of whoever happened to
+/// make them.
 template <class Body>
 void for_each_in_parallel(std::size_t first, std::size_t last, const Body& body) {
   using Context = tbb::task_group_context;
-  Context context(Context::bound, Context::default_traits | Context::fp_settings);
+  Context context(Context::isolated, Context::default_traits | Context::fp_settings);
   tbb::this_task_arena::isolate([&] { tbb::parallel_for(first, last, body, context); });
 }
 

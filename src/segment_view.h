@@ -43,7 +43,7 @@ HATBOX_INLINE inline V safe_length(const V (&x)[3]) {
   const V scale = select(largest >= constant<V>(smallest_normal<V>), largest, V(1));
   const V down = inverse_power_of_two(scale);
   V sum = V(0);
-  for (int i = 0; i < 3; ++i) sum = fma(x[i] * down, x[i] * down, sum);
+  for (const V& component : x) sum = fma(component * down, component * down, sum);
   return sqrt(sum) * power_of_two(scale);
 }
 

@@ -196,10 +196,10 @@ HATBOX_INLINE inline TrianglePoint<V> SphericalTriangle<V>::sample(const Shares<
   const V side = root_v * cos_q;
 
   const V along_B = fma(V(-2) * v, sin2_a_u, V(1)), along_t = V(2) * side * cos_beta, along_n = V(2) * side * sin_beta;
-  const V wB = weight_B_ * (rest_v * fma(cos_a_u, cos_q, root_v * sin2_a_u) / fma(root_v, cos_a_u, cos_q));
-  const V wA = weight_A_ * (side * (rest_b.sin * rest_b.cos));
-  const V wC = weight_C_ * (side * (b_u.sin * b_u.cos));
-  const V sum_of_weights = wA + wB + wC;
+  const V w_B = weight_B_ * (rest_v * fma(cos_a_u, cos_q, root_v * sin2_a_u) / fma(root_v, cos_a_u, cos_q));
+  const V w_A = weight_A_ * (side * (rest_b.sin * rest_b.cos));
+  const V w_C = weight_C_ * (side * (b_u.sin * b_u.cos));
+  const V sum_of_weights = w_A + w_B + w_C;
   const V inverse_sum = V(1) / sum_of_weights;
 
   TrianglePoint<V> point;
@@ -211,8 +211,8 @@ HATBOX_INLINE inline TrianglePoint<V> SphericalTriangle<V>::sample(const Shares<
   point.distance = select(abs(length2 - V(1)) <= constant<V>(0x1p-10), point.distance, constant<V>(infinity<V>));
   const V to_unit = fma(V(-0.5), length2, V(1.5));  // 1/√length², which is 1 but for rounding
   for (int i = 0; i < 3; ++i) point.direction[i] = direction[i] * to_unit;
-  point.place = {select(first_, wB, select(second_, wA, wC)) * inverse_sum,
-                 select(first_, wC, select(second_, wB, wA)) * inverse_sum};
+  point.place = {select(first_, w_B, select(second_, w_A, w_C)) * inverse_sum,
+                 select(first_, w_C, select(second_, w_B, w_A)) * inverse_sum};
   return point;
 }
 

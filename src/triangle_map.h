@@ -27,18 +27,18 @@ struct TriangleView {
   }
 
   const TriangleLight<V>& light;
-  SphericalTriangle<V> spherical;
-  V shrinking;
   Mask<V> above;
   Mask<V> valid;
+  SphericalTriangle<V> spherical;
+  V shrinking;
 
  private:
   HATBOX_INLINE TriangleView(const TriangleLight<V>& triangle, const TriangleLocal<V>& local)
       : light(triangle),
-        spherical(local.in_plane),
-        shrinking(local.shrinking),
         above(local.above),
-        valid(local.valid) {}
+        valid(local.valid),
+        spherical(local.in_plane),
+        shrinking(local.shrinking) {}
 };
 
 template <class V>

@@ -106,9 +106,9 @@ class RectangleTwoTriangles {
 
   HATBOX_INLINE RectangleTwoTriangles(const RectangleLight<V>& light, const RectangleHalves<V>& halves)
       : light_(light),
+        above_(halves.above),
         first_(halves.first),
         second_(halves.second),
-        above_(halves.above),
         both_(first_.solid_angle() + second_.solid_angle()),
         density_(halves.valid, both_ * halves.shrinking) {}
 
@@ -130,8 +130,8 @@ class RectangleTwoTriangles {
   }
 
   const RectangleLight<V>& light_;
-  SphericalTriangle<V> first_, second_;
   Mask<V> above_;
+  SphericalTriangle<V> first_, second_;
   V both_;  // of their solid angles
   UniformDensity<V> density_;
 };

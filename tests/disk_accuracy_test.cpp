@@ -33,6 +33,11 @@ DiskSample reference_sample(const Disk& light, DiskMap map, const Vec3& point, f
   return EtaDisk(DiskFrame<long double>(light), point).sample(map, u, v);
 }
 
+/// One that takes the integrals as they are, no series.
+bool is_baseline(DiskMap map) {
+  return map == DiskMap::area || map == DiskMap::radial_carlson || map == DiskMap::parallel_carlson;
+}
+
 class DiskSolidAngle : public IsaTest {};
 
 TEST_P(DiskSolidAngle, IsGolden) {
@@ -111,11 +116,14 @@ TEST_P(DiskAccuracy, DirectionsMatchReference) {
   for (const DiskMap map : disk_bijections) {
     for (const Workload workload : all_workloads) {
       for (const std::size_t k : sample_counts) {
-        constexpr double bound = 4e-6;
+        constexpr double bound = 4e-6, bound_hugging = 1e-4;
         const auto errors = direction_errors(direction_case(workload, map, pose(), k), map, pose(), bound);
         report_quantiles("radians_" + label(workload, map, k), errors);
-        if (workload != Workload::w1) continue;
-        EXPECT_LE(quantile(errors, 0.9999), bound) << label(workload, map, k);
+        if (workload == Workload::w2) {
+          EXPECT_LE(quantile(errors, 0.99), is_baseline(map) ? bound : bound_hugging) << label(workload, map, k);
+        } else {
+          EXPECT_LE(quantile(errors, 0.9999), bound) << label(workload, map, k);
+        }
       }
     }
   }
@@ -141,8 +149,12 @@ TEST_P(DiskUniformitySlow, DensityTimesSolidAngleIsOne) {
       report_quantiles("variation_" + label(Workload::w1, map, side * side), w1);
       report_quantiles("variation_" + label(Workload::w2, map, side * side), w2);
       report_quantiles("variation_" + label(Workload::w3, map, side * side), w3);
+      if (is_baseline(map)) {
+        for (const auto& all : {w1, w2, w3}) EXPECT_LE(quantile(all, 1), 2e-6);
+        continue;
+      }
       EXPECT_LE(quantile(w1, 0.999), 1e-4);
-      EXPECT_LE(quantile(w3, 1), 1e-4);
+      EXPECT_LE(quantile(w3, 1), 1e-6);
       EXPECT_LE(quantile(w2, 0.99), 2e-2);
     }
   }

@@ -260,6 +260,25 @@ TEST_P(HardLanes, ARectangleSeenAlongAnEdgeKeepsItsDirectionsWhereDenormalsAreFl
   EXPECT_GT(sampled, 5u);
 }
 
+/// Next to an ellipse's centre the squares of its cone's tilt are denormal.
+TEST_P(HardLanes, AnEllipseSeenFromNextToItsCentreKeepsItsDirectionsWhereDenormalsAreFlushed) {
+  const Ellipse light = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  PointArrays points;
+  for (float far = 1e-5f; far > 1e-18f; far *= 0.9f) points.push_back({0.9f * far, 0.4f * far, 0.55f * far});
+  const std::vector<float> u(points.size(), 0.17f), v(points.size(), 0.48f);
+  for (const bool flush : {false, true}) {
+    SampleArrays samples(points.size());
+    {
+      const FlushedDenormals flushed(flush);
+      sample(light, EllipseMap::ld_radial, points.view(), {u, v}, samples.view());
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      ASSERT_TRUE(samples.valid(i));
+      EXPECT_NEAR(length(samples.direction(i)), 1, 1e-6) << "from " << points.x[i] << (flush ? ", flushed" : "");
+    }
+  }
+}
+
 HATBOX_FOR_EVERY_ISA(HardLanes);
 
 }  // namespace

@@ -1,9 +1,17 @@
 // What calls in parallel have of the thread that makes them.
+#include "schedule.h"
 #include "support/bits.h"
 #include "support/denormals.h"
 #include "support/segments.h"
 
+#include <hatbox/disk.h>
+#include <hatbox/disk_table.h>
+
 #include <gtest/gtest.h>
+#include <tbb/task_group.h>
+
+#include <cstdint>
+#include <vector>
 
 namespace hatbox::test {
 namespace {
@@ -25,6 +33,35 @@ TEST(ParallelCalls, FlushDenormalsWhereTheirCallerDoes) {
 #endif
     }
   }
+}
+
+/// A task group that is cancelled stops the parallel loops of its tasks, but for those that are isolated from it.
+TEST(ParallelCalls, AreFinishedInACancelledTask) {
+  constexpr std::size_t n = 100000;
+  const Disk disk = {{0, 0, 0}, {0, 0, 1}, 1};
+  const std::vector<float> x(n, 0.0f), z(n, 1.0f), half(n, 0.5f);
+  std::vector<float> pdf(n, -1.0f), of_table(n, -1.0f);
+  tbb::task_group group;
+  group.run_and_wait([&] {
+    group.cancel();
+    const Points points = {x, x, z};
+    parallel::sample(disk, DiskMap::ld_radial, points, {half, half}, {{}, {}, {}, {}, pdf});
+    const DiskTable table(DiskMap::ld_radial, 64);
+    parallel::sample(disk, table, points, {half, half}, {{}, {}, {}, {}, of_table});
+  });
+  for (std::size_t i = 0; i < n; ++i) {
+    ASSERT_GT(pdf[i], 0);
+    ASSERT_NEAR(of_table[i], pdf[i], 1e-5f);
+  }
+}
+
+/// The grain is the least number of points a block.
+TEST(ParallelCalls, BlocksAreNoSmallerThanTheGrain) {
+  for (const std::size_t grain : {std::size_t{1}, std::size_t{33}, std::size_t{1000}, SIZE_MAX / 2}) {
+    EXPECT_GE(block_size(grain, 1), grain);
+    EXPECT_EQ(block_size(grain, 1) % widest_packet, 0u);
+  }
+  EXPECT_EQ(block_size(SIZE_MAX, 1), SIZE_MAX / widest_packet * widest_packet);
 }
 
 }  // namespace

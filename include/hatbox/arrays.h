@@ -1,6 +1,7 @@
 /// \file
-/// Views of the caller's arrays. Every call works on n shading points and, where it samples, on k·n samples:
-/// sample j of point i lies at [j·n + i]. Nothing here owns memory. Outputs may not overlap inputs or each other.
+/// Views of the caller's arrays. Every call works on n shading points and, where it samples, on k·n samples: sample j
+/// of point i lies at [j·n + i]. k is the length of the variates, directions or places over n; n and k may be 0, and
+/// then nothing is done. Nothing here owns memory. Outputs may not overlap inputs or each other.
 #pragma once
 
 #include <span>
@@ -39,13 +40,13 @@ struct Places {
 /// A lane that cannot be sampled gets 0 in every output.
 struct Samples {
   /// @{
-  std::span<float> x, y, z;  ///< unit direction from the shading point to the light
+  std::span<float> x = {}, y = {}, z = {};  ///< unit direction from the shading point to the light
   /// @}
-  std::span<float> distance;     ///< from the shading point to the light along it, world units; 0 below 1e-38
-  std::span<float> pdf;          ///< density of the direction, per steradian
-  std::span<float> s = {};       ///< place on the light, see Places
-  std::span<float> t = {};       ///< place on the light, see Places
-  std::span<float> cosine = {};  ///< at the light, signed: > 0 when seen from the side of its normal
+  std::span<float> distance = {};  ///< from the shading point to the light along it, world units; 0 below 1e-38
+  std::span<float> pdf = {};       ///< density of the direction, per steradian
+  std::span<float> s = {};         ///< place on the light, see Places
+  std::span<float> t = {};         ///< place on the light, see Places
+  std::span<float> cosine = {};    ///< at the light, signed: > 0 when seen from the side of its normal
 };
 
 }  // namespace hatbox

@@ -1,10 +1,11 @@
 /// \file
 /// Elliptic integrals for whole arrays: Carlson's symmetric ones and, made of them, Legendre's.
 ///
-/// All calls work on n elements, are thread-safe, allocate nothing, and throw std::invalid_argument, before anything is
-/// written, if spans disagree in length; the message names the span. `out` may not overlap an argument. An element's
-/// bits depend on its own arguments alone: not on its place, its neighbours, the number of threads, nor (but for
-/// sse4_2, see isa.h) on the instruction set.
+/// All calls work on n elements, are thread-safe, allocate nothing (those of `parallel`: what TBB does), and throw
+/// std::invalid_argument, before anything is written, if spans disagree in length or HATBOX_ISA is no instruction set
+/// (isa.h); the message names which. `out` may not overlap an argument. An element's bits depend on its own arguments
+/// alone: not on its place, its neighbours, the number of threads, nor (but for sse4_2, see isa.h) on the instruction
+/// set.
 ///
 /// Here and nowhere else NaN comes out: of an element whose arguments are outside the domain, infinite or NaN.
 ///

@@ -1,13 +1,14 @@
 /// \file
 /// Disk lights: sample, pdf, invert and solid angle for whole arrays of shading points.
 ///
-/// All calls are thread-safe and allocate nothing. They throw std::invalid_argument, before anything is written, if
-/// spans disagree in length, the light is not one (see `check`) or `map` is no DiskMap, or `rejection` where an
-/// inverse is asked for; the message names the argument and its value. A lane that cannot be sampled (its point in the
-/// light's plane or not finite, its variate not finite, its solid angle not a normal float) gets 0 in every output; no
-/// lane gets NaN, an infinity or a negative density, and none is touched by another. A lane's bits depend on its own
-/// inputs alone: not on its place, on k, on the number of threads, nor (but for sse4_2, see isa.h) on the instruction
-/// set. Scaling light and points together changes nothing but `distance`.
+/// All calls are thread-safe and allocate nothing (those of `parallel`: what TBB does). They throw
+/// std::invalid_argument, before anything is written, if spans disagree in length, the light is not one (see `check`),
+/// `map` is no DiskMap, or `rejection` where an inverse is asked for, or HATBOX_ISA no instruction set (isa.h); the
+/// message names the argument and its value. A lane that cannot be sampled (its point in the light's plane or not
+/// finite, its variate not finite, its solid angle not a normal float) gets 0 in every output; no lane gets NaN, an
+/// infinity or a negative density, and none is touched by another. A lane's bits depend on its own inputs alone: not on
+/// its place, on k, on the number of threads, nor (but for sse4_2, see isa.h) on the instruction set. Scaling light and
+/// points together changes nothing but `distance`.
 #pragma once
 
 #include <hatbox/arrays.h>
@@ -39,15 +40,17 @@ enum class DiskMap {
 /// ld_radial, radial and parallel it is 1/Ω within 1e-4 at 99.9 % of points with x, y within ±3 radii and height 0.05
 /// to 3.05, within 1e-6 from 10 radii on, and within 2e-2 at 99 % of points hugging the light (height 1e-5 to 1e-1);
 /// for radial_carlson and parallel_carlson within 2e-6 at all of these, plus what the rounding of the inputs makes of
-/// Ω. Directions are right to 4e-6 rad and of unit length to 1e-6; places are on the disk to 1e-6.
+/// Ω. Directions are of unit length to 1e-6, and right to 4e-6 rad, from points hugging the light at 99 % of them;
+/// there those of ld_radial, radial and parallel to 1e-4. Places are on the disk to 1e-6.
 ///
 /// `rejection` takes (u, v) for a point of the square about the disk, and where that misses the disk, as one in four to
 /// five does, pseudorandom points that are a function of (u, v) alone. Stratification is lost there. Up to 15 tries;
 /// all of them fail with a probability below 1e-9, and the lane is then as one that cannot be sampled. Its density is
 /// 1/Ω to 2e-6, plus what the rounding of the inputs makes of Ω.
 ///
-/// Cost: ld_radial and radial six to eight times area sampling at one sample a point, about twice at 16; parallel,
-/// rejection, radial_carlson and parallel_carlson 11 to 19 times at one, 6 to 10 at 16. The README's tables have all.
+/// Cost: ld_radial and radial four to seven times area sampling at one sample a point, about twice at 16; parallel,
+/// radial_carlson and parallel_carlson 12 to 17 times at one, 6 to 10 at 16; rejection 12 to 24 times. The README's
+/// tables have all.
 ///
 /// Source: Guillén et al. 2017, eq. 3-5 and 16-23, in the form that src/disk_cone.h and src/eta_series.h explain.
 HATBOX_API void sample(const Disk& light, DiskMap map, Points points, Variates variates, Samples out);
@@ -61,8 +64,8 @@ HATBOX_API void pdf(const Disk& light, DiskMap map, Points points, Directions di
 
 /// The density, per steradian, with which `sample` picks the direction to each of the k·n `places`: 0 outside the
 /// light. What `sample` returned with the place is met to 1e-5 but within 1e-5 of the rim, where a float place does not
-/// tell. For far lights the better of the two: a float direction
-/// cannot resolve what lies within 1e-7 rad.
+/// tell. For far lights the better of the two: a float direction cannot resolve what lies within 1e-7 rad. (To be
+/// called with a `Places{s, t}`: mere braces may be directions too.)
 ///
 /// Cost at one a point, in samples by `area`: 5 to 8; `area` ½.
 HATBOX_API void pdf(const Disk& light, DiskMap map, Points points, Places places, std::span<float> out);

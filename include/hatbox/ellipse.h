@@ -1,14 +1,14 @@
 /// \file
 /// Elliptical lights: sample, pdf, invert and solid angle for whole arrays of shading points.
 ///
-/// All calls are thread-safe and allocate nothing. They throw std::invalid_argument, before anything is written, if
-/// spans disagree in length, the light is not one (see `check`) or `map` is no EllipseMap; the message names the
-/// argument and its value. A lane that cannot be sampled (its point in the light's plane, or nearer to it than 1e-32 of
-/// the longer semi-axis, or not finite, its variate not finite, its solid angle not a normal float, or further away
-/// than 10^19 of the shorter semi-axis) gets 0 in every output; no lane gets NaN, an infinity or a negative density,
-/// and none is touched by another. A lane's bits depend on its own inputs alone: not on its place, on k, on the number
-/// of threads, nor (but for sse4_2, see isa.h) on the instruction set. Scaling light and points together changes
-/// nothing but `distance`.
+/// All calls are thread-safe and allocate nothing (those of `parallel`: what TBB does). They throw
+/// std::invalid_argument, before anything is written, if spans disagree in length, the light is not one (see `check`),
+/// `map` is no EllipseMap or HATBOX_ISA no instruction set (isa.h); the message names the argument and its value. A
+/// lane that cannot be sampled (its point in the light's plane, or nearer to it than 1e-32 of the longer semi-axis, or
+/// not finite, its variate not finite, its solid angle not a normal float, or further away than 10^19 of the shorter
+/// semi-axis) gets 0 in every output; no lane gets NaN, an infinity or a negative density, and none is touched by
+/// another. A lane's bits depend on its own inputs alone: not on its place, on k, on the number of threads, nor (but
+/// for sse4_2, see isa.h) on the instruction set. Scaling light and points together changes nothing but `distance`.
 ///
 /// Axes that are not quite perpendicular are made so: the shorter loses its part along the longer. Axes as long as each
 /// other but for the rounding of their coordinates are a circle's, and all calls give what they give for a Disk.
@@ -38,11 +38,11 @@ enum class EllipseMap {
 /// ld_radial and radial it is 1/Ω within 1e-4 at 99.9 % of points with x, y within ±3 longer semi-axes and height 0.05
 /// to 3.05, within 1e-4 from 10 of them on, and within 2e-2 at 99 % of points hugging the light (height 1e-5 to 1e-1).
 /// Directions are right to 4e-6 rad beyond what the rounding of the inputs makes of them, and of unit length to 1e-6;
-/// places are on the light to 1e-5. Ellipses that are no circles do better next to the light: their density is 1/Ω
-/// within 1e-4 at all of these points.
+/// places are on the light to 1e-5, all of it for ellipses of 1 : 10^4 and rounder. Ellipses that are no circles do
+/// better next to the light: their density is 1/Ω within 1e-4 at all of these points.
 ///
-/// Cost: ten to twelve times area sampling at one sample a point, two and a half to three at 16; next to ellipses that
-/// are no circles up to three times that. The README's tables have all.
+/// Cost: 12 to 14 times area sampling at one sample a point, two to four at 16; next to ellipses that are no circles up
+/// to three times that. The README's tables have all.
 ///
 /// Source: Guillén et al. 2017, eq. 3-5 and 16-23, in the form that src/ellipse_cone.h and src/eta_hybrid.h explain.
 HATBOX_API void sample(const Ellipse& light, EllipseMap map, Points points, Variates variates, Samples out);
@@ -56,8 +56,7 @@ HATBOX_API void pdf(const Ellipse& light, EllipseMap map, Points points, Directi
 
 /// The density, per steradian, with which `sample` picks the direction to each of the k·n `places`: 0 outside the
 /// light. What `sample` returned with the place is met to 1e-5 but within 1e-5 of the rim, where a float place does not
-/// tell. For far lights the better of the two: a float direction
-/// cannot resolve what lies within 1e-7 rad.
+/// tell. For far lights the better of the two: a float direction cannot resolve what lies within 1e-7 rad.
 ///
 /// Cost at one a point, in samples by `area`: 12; `area` ½.
 HATBOX_API void pdf(const Ellipse& light, EllipseMap map, Points points, Places places, std::span<float> out);

@@ -2,13 +2,13 @@
 /// Participating media: distances along ray segments, chosen uniformly in the angle under which a pivot sees them
 /// (equiangular sampling), and the part of a segment that a one-sided light shines on.
 ///
-/// All calls are thread-safe and allocate nothing. They throw std::invalid_argument, before anything is written, if
-/// spans disagree in length; the message names the span. A lane that cannot be sampled (a number of its segment, pivot
-/// or plane not finite, but for t_max; t_min >= t_max; a direction or normal of no normal length; a density that under-
-/// or overflows) gets 0 in every output; no lane gets NaN or a negative density, and none is touched by another. A
-/// lane's bits depend on its own inputs alone: not on its place, on k, on the number of threads, nor (but for sse4_2,
-/// see isa.h) on the instruction set. There are no thresholds: scaling all lengths by a power of two scales the
-/// results, exactly.
+/// All calls are thread-safe and allocate nothing (those of `parallel`: what TBB does). They throw
+/// std::invalid_argument, before anything is written, if spans disagree in length or HATBOX_ISA is no instruction set
+/// (isa.h); the message names which. A lane that cannot be sampled (a number of its segment, pivot or plane not finite,
+/// but for t_max; t_min >= t_max; a direction or normal of no normal length; a density that under- or overflows) gets 0
+/// in every output; no lane gets NaN or a negative density, and none is touched by another. A lane's bits depend on its
+/// own inputs alone: not on its place, on k, on the number of threads, nor (but for sse4_2, see isa.h) on the
+/// instruction set. There are no thresholds: scaling all lengths by a power of two scales the results, exactly.
 ///
 /// Errors are those of the result for the inputs as given, however far away the origin or the pivot are, and however
 /// the segment passes the pivot: nothing is lost to cancellation.
@@ -74,6 +74,8 @@ HATBOX_API void pdf(Segments segments, Points pivots, std::span<const float> t, 
 /// outputs have n elements each; here alone the outputs may be inputs: those of `segments`.
 ///
 /// Cost: a third of that of `sample`.
+///
+/// Source: the plane's equation along the ray, with products of twice the precision (src/segment_clip.h).
 HATBOX_API void clip(Segments segments, Points on_plane, Directions normals, std::span<float> t_min,
                      std::span<float> t_max);
 

@@ -1,7 +1,9 @@
 /// \file
 /// Which instruction set the kernels use. The best one of this CPU is picked at the first call; the environment
-/// variable HATBOX_ISA (scalar, sse4_2, avx2, avx512, neon) or `force_isa` overrides that. All of them give the
-/// same bits, but for rare last-place differences of sse4_2, which has no fused multiply-add.
+/// variable HATBOX_ISA (scalar, sse4_2, avx2, avx512, neon) or `force_isa` overrides that. Where HATBOX_ISA names none
+/// that there is, every call of the library throws as `active_isa` does, until `force_isa` has been called, which hosts
+/// without exceptions may do first. All of them give the same bits, but for rare last-place differences of sse4_2,
+/// which has no fused multiply-add.
 #pragma once
 
 #include <hatbox/export.h>

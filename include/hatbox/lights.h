@@ -13,7 +13,8 @@ struct Vec3 {
 
 /// A flat disk. It emits to both sides; one-sidedness is the renderer's choice, from `Samples::cosine`.
 ///
-/// Valid if all numbers are finite, `normal` is not zero and `radius` > 0.
+/// Valid if all numbers are finite, `normal` is not zero and `radius` > 0. One whose radius is no normal float cannot
+/// be sampled from anywhere.
 struct Disk {
   Vec3 center;   ///< world space
   Vec3 normal;   ///< any length but zero

@@ -1,13 +1,13 @@
 /// \file
 /// Rectangular lights: sample, pdf, invert and solid angle for whole arrays of shading points.
 ///
-/// All calls are thread-safe and allocate nothing. They throw std::invalid_argument, before anything is written, if
-/// spans disagree in length, the light is not one (see `check`) or `map` is no RectangleMap; the message names the
-/// argument and its value. A lane that cannot be sampled (its point in the light's plane or not finite, its variate not
-/// finite, its solid angle not a normal float) gets 0 in every output; no lane gets NaN, an infinity or a negative
-/// density, and none is touched by another. A lane's bits depend on its own inputs alone: not on its place, on k, on
-/// the number of threads, nor (but for sse4_2, see isa.h) on the instruction set. Scaling light and points together
-/// changes nothing but `distance`.
+/// All calls are thread-safe and allocate nothing (those of `parallel`: what TBB does). They throw
+/// std::invalid_argument, before anything is written, if spans disagree in length, the light is not one (see `check`),
+/// `map` is no RectangleMap or HATBOX_ISA no instruction set (isa.h); the message names the argument and its value. A
+/// lane that cannot be sampled (its point in the light's plane or not finite, its variate not finite, its solid angle
+/// not a normal float) gets 0 in every output; no lane gets NaN, an infinity or a negative density, and none is touched
+/// by another. A lane's bits depend on its own inputs alone: not on its place, on k, on the number of threads, nor (but
+/// for sse4_2, see isa.h) on the instruction set. Scaling light and points together changes nothing but `distance`.
 #pragma once
 
 #include <hatbox/arrays.h>
@@ -40,8 +40,8 @@ enum class RectangleMap {
 /// and so spoils stratified variates somewhat. Where another side of one of its triangles becomes the smallest as seen
 /// from the point, (u, v) begins to name other directions of that triangle, as in TriangleMap::spherical.
 ///
-/// Cost: spherical 8 to 12 times area sampling at one sample a point, four at 16; two_triangles 13 to 20 times at one,
-/// five at 16. The README's tables have all.
+/// Cost: spherical 7 to 10 times area sampling at one sample a point, three to four at 16; two_triangles 13 to 20 times
+/// at one, five to seven at 16. The README's tables have all.
 ///
 /// Source: Ureña, Fajardo and King 2013, in the form that src/rectangle_strips.h and src/rectangle_map.h explain; for
 /// two_triangles Arvo 1995, in that of src/two_triangles_map.h and src/spherical_triangle.h.

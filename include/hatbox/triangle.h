@@ -1,13 +1,13 @@
 /// \file
 /// Triangle lights: sample, pdf, invert and solid angle for whole arrays of shading points.
 ///
-/// All calls are thread-safe and allocate nothing. They throw std::invalid_argument, before anything is written, if
-/// spans disagree in length, the light is not one (see `check`) or `map` is no TriangleMap; the message names the
-/// argument and its value. A lane that cannot be sampled (its point in the light's plane or not finite, its variate not
-/// finite, its solid angle not a normal float) gets 0 in every output; no lane gets NaN, an infinity or a negative
-/// density, and none is touched by another. A lane's bits depend on its own inputs alone: not on its place, on k, on
-/// the number of threads, nor (but for sse4_2, see isa.h) on the instruction set. Scaling light and points together
-/// changes nothing but `distance`.
+/// All calls are thread-safe and allocate nothing (those of `parallel`: what TBB does). They throw
+/// std::invalid_argument, before anything is written, if spans disagree in length, the light is not one (see `check`),
+/// `map` is no TriangleMap or HATBOX_ISA no instruction set (isa.h); the message names the argument and its value. A
+/// lane that cannot be sampled (its point in the light's plane or not finite, its variate not finite, its solid angle
+/// not a normal float) gets 0 in every output; no lane gets NaN, an infinity or a negative density, and none is touched
+/// by another. A lane's bits depend on its own inputs alone: not on its place, on k, on the number of threads, nor (but
+/// for sse4_2, see isa.h) on the instruction set. Scaling light and points together changes nothing but `distance`.
 #pragma once
 
 #include <hatbox/arrays.h>
@@ -37,7 +37,7 @@ enum class TriangleMap {
 /// `spherical` turns about one end of the smallest side as seen from the point. Where another side becomes the
 /// smallest, (u, v) begins to name other directions; for each point the map is one continuous bijection.
 ///
-/// Cost: spherical eight to nine times area sampling at one sample a point, two and a half at 16. The README's tables
+/// Cost: spherical seven to nine times area sampling at one sample a point, three to four at 16. The README's tables
 /// have all.
 ///
 /// Source: Arvo 1995, "Stratified Sampling of Spherical Triangles", in the form that src/spherical_triangle.h explains.

@@ -5,8 +5,10 @@
 
 #include <hatbox/hatbox.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace hatbox::test {
@@ -62,7 +64,7 @@ inline std::array<double, 2> Outline::middle() const {
 
 inline double Outline::beyond(double s, double t) const {
   if (corners.empty()) return std::hypot(s, t) - 1;
-  double farthest = -INFINITY;
+  double farthest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const auto &p = corners[i], &q = corners[(i + 1) % corners.size()];
     farthest = std::max(farthest, (q[1] - p[1]) * (s - p[0]) + (p[0] - q[0]) * (t - p[1]));
@@ -76,7 +78,7 @@ inline double Outline::to_rim(const std::array<double, 2>& from, double angle) c
     const double b = from[0] * c + from[1] * s, rest = 1 - from[0] * from[0] - from[1] * from[1];
     return rest / (b + std::sqrt(b * b + rest));
   }
-  double nearest = INFINITY;
+  double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const auto &p = corners[i], &q = corners[(i + 1) % corners.size()];
     const double nx = q[1] - p[1], ny = p[0] - q[0];  // outwards, the corners being in mathematical order
