@@ -162,9 +162,9 @@ HATBOX_INLINE inline EllipseCone<V>::EllipseCone(const EllipseLight<V>& ellipse,
   set_semi_axes(section, w_n);
   set_axes(section);
   set_places(section, l);
-  // Of a lower height products with the ratio of the axes are no normal floats.
+  // Of a lower height products with the ratio of the axes are no normal floats, and of a larger λ its inverse is none.
   this->valid = (l.height >= constant<V>(0x1p20 * smallest_normal<V>)) && is_finite(l.offset) &&
-                (confocal.lambda < constant<V>(infinity<V>));
+                (confocal.lambda < constant<V>(0.25 / smallest_normal<V>));
 }
 
 template <class V>

@@ -279,6 +279,26 @@ TEST_P(HardLanes, AnEllipseSeenFromNextToItsCentreKeepsItsDirectionsWhereDenorma
   }
 }
 
+/// From as far as there are squares of distances their inverses are denormal.
+TEST_P(HardLanes, AnEllipseSeenFromAsFarAsCanBeKeepsItsDirectionsWhereDenormalsAreFlushed) {
+  const Ellipse light = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  PointArrays points;
+  for (float far = 1e17f; far < 2e19f; far *= 1.03f) points.push_back({0, 0.1f * far, far});
+  const std::vector<float> u(points.size(), 0.17f), v(points.size(), 0.48f);
+  for (const bool flush : {false, true}) {
+    SampleArrays samples(points.size());
+    {
+      const FlushedDenormals flushed(flush);
+      sample(light, EllipseMap::radial, points.view(), {u, v}, samples.view());
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      ASSERT_TRUE(samples.valid(i) || points.z[i] > 4e18f);
+      if (!samples.valid(i)) continue;
+      EXPECT_NEAR(length(samples.direction(i)), 1, 1e-6) << "from " << points.z[i] << (flush ? ", flushed" : "");
+    }
+  }
+}
+
 HATBOX_FOR_EVERY_ISA(HardLanes);
 
 }  // namespace

@@ -5,7 +5,7 @@
 /// std::invalid_argument, before anything is written, if spans disagree in length, the light is not one (see `check`),
 /// `map` is no EllipseMap or HATBOX_ISA no instruction set (isa.h); the message names the argument and its value. A
 /// lane that cannot be sampled (its point in the light's plane, or nearer to it than 1e-32 of the longer semi-axis, or
-/// not finite, its variate not finite, its solid angle not a normal float, or further away than 10^19 of the shorter
+/// not finite, its variate not finite, its solid angle not a normal float, or further away than 4·10^18 of the shorter
 /// semi-axis) gets 0 in every output; no lane gets NaN, an infinity or a negative density, and none is touched by
 /// another. A lane's bits depend on its own inputs alone: not on its place, on k, on the number of threads, nor (but
 /// for sse4_2, see isa.h) on the instruction set. Scaling light and points together changes nothing but `distance`.
