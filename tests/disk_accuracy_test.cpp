@@ -33,7 +33,7 @@ DiskSample reference_sample(const Disk& light, DiskMap map, const Vec3& point, f
   return EtaDisk(DiskFrame<long double>(light), point).sample(map, u, v);
 }
 
-/// One that takes the integrals as they are, no series.
+/// One without a series or a polynomial in place of an integral.
 bool is_baseline(DiskMap map) {
   return map == DiskMap::area || map == DiskMap::radial_carlson || map == DiskMap::parallel_carlson;
 }
