@@ -203,7 +203,10 @@ void exercise_set(Input& input, const Manner& manner) {
         const std::size_t i = next++;
         return refused_choice ? from.vector() : points_around(outlines[chosen[i]])(from);
       },
-      [&](std::size_t i, const Vec3& point) { return Samplable(outlines[chosen[i]]).from(point); });
+      [&](std::size_t i, const Vec3& point) {
+        const bool is_disk = chosen[i] < disks.size();  // disks come first
+        return Samplable(outlines[chosen[i]]).from(point, is_disk ? test::least_height(maps.disk) : 0);
+      });
 }
 
 }  // namespace hatbox::fuzz
