@@ -162,9 +162,11 @@ HATBOX_INLINE inline EllipseCone<V>::EllipseCone(const EllipseLight<V>& ellipse,
   set_semi_axes(section, w_n);
   set_axes(section);
   set_places(section, l);
-  // Of a lower height products with the ratio of the axes are no normal floats, and of a larger λ its inverse is none.
+  // Of a lower height products with the ratio of the axes are no normal floats. From farther away 1/λ is none, and λ,
+  // which takes steps by its inverse, no longer tells.
+  const V distance2 = fma(l.height, l.height, fma(l.u, l.u, l.v * l.v));
   this->valid = (l.height >= constant<V>(0x1p20 * smallest_normal<V>)) && is_finite(l.offset) &&
-                (confocal.lambda < constant<V>(0.25 / smallest_normal<V>));
+                (distance2 < constant<V>(0.25 / smallest_normal<V>));
 }
 
 template <class V>

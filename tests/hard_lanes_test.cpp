@@ -288,13 +288,15 @@ TEST_P(HardLanes, AnEllipseSeenFromNextToItsCentreKeepsItsDirectionsWhereDenorma
 
 /// From as far as there are squares of distances their inverses are denormal.
 TEST_P(HardLanes, AnEllipseSeenFromAsFarAsCanBeKeepsItsDirectionsWhereDenormalsAreFlushed) {
-  PointArrays points;
-  std::size_t near = 0;
-  for (float far = 1e17f; far < 2e19f; far *= 1.03f) {
-    points.push_back({0, 0.1f * far, far});
-    if (far <= 4e18f) near = points.size();
+  for (const Vec3 way : {Vec3{0, 0.1f, 1}, Vec3{0.37f, 0.87f, 0.31f}}) {
+    PointArrays points;
+    std::size_t near = 0;
+    for (float far = 1e17f; far < 2e19f; far *= 1.03f) {
+      points.push_back({far * way.x, far * way.y, far * way.z});
+      if (far <= 4e18f) near = points.size();
+    }
+    expect_unit_directions(points, near, EllipseMap::radial);
   }
-  expect_unit_directions(points, near, EllipseMap::radial);
 }
 
 HATBOX_FOR_EVERY_ISA(HardLanes);
