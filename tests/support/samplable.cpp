@@ -17,17 +17,19 @@ double largest_coordinate(const reference::Vector<double>& p) {
 Samplable::Samplable(const Outline& outline) {
   const auto [s, t] = outline.middle();
   const auto across = cross(outline.along_s, outline.along_t);
-  center_ = outline.at(s, t);
+  origin_ = outline.origin;
+  middle_ = s * outline.along_s + t * outline.along_t;
   normal_ = normalize(across);
   size_ = std::max(length(outline.along_s), length(outline.along_t));
   area_ = length(across) / 2;  // half of a rectangle, less of a disk: no more than there is
-  ordinary_ = size_ < greatest_length && area_ / size_ > least_length && largest_coordinate(center_) < greatest_length;
+  ordinary_ = size_ < greatest_length && area_ / size_ > least_length &&
+              largest_coordinate(origin_ + middle_) < greatest_length;
 }
 
 bool Samplable::from(const Vec3& point, double least_height) const {
   const auto p = reference::convert<double>(point);
   if (!ordinary_ || !(largest_coordinate(p) < greatest_length)) return false;
-  const auto way = p - center_;
+  const auto way = (p - origin_) - middle_;  // in this order it is right for a light far from the origin too
   const double distance = length(way), height = std::abs(dot(way, normal_));
   if (!(height > 1e-6 * distance && height > least_length && height > least_height * size_)) return false;
   if (!(distance > 1e-6 * size_ && distance < 1e6 * size_)) return false;

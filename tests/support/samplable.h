@@ -20,7 +20,7 @@ class Samplable {
   static bool by(float u, float v);
 
  private:
-  reference::Vector<double> center_, normal_;
+  reference::Vector<double> origin_, middle_, normal_;  // the middle's place from the origin
   double size_, area_;
   bool ordinary_;  // the light's own numbers are in the middle of the range of floats
 };
