@@ -16,7 +16,8 @@ struct AreaRay {
     const V distance2 = fma(l[0], l[0], fma(l[1], l[1], l[2] * l[2]));
     distance = sqrt(distance2);
     const V product = distance * volume;
-    clear = product >= constant<V>(smallest_normal<V>);
+    // Of squares that have underflowed neither a length nor a direction comes.
+    clear = (product >= constant<V>(smallest_normal<V>)) && (distance2 >= constant<V>(0x1p26 * smallest_normal<V>));
     const V shared = V(1) / product;  // one division for 1/distance and for the density, distance³/volume
     inverse_distance = volume * shared;
     pdf = distance2 * (distance2 * shared);

@@ -28,33 +28,31 @@ class KindBlock {
 
   /// Calls run(kind, arrays, lights, begin, end) for each kind of light that points [begin, end) of a call have.
   template <class Run>
-  void for_each_kind(const LightSet::Data& set, const KernelTable& table, std::span<const std::uint32_t> light,
-                     const CallArrays& call, std::size_t begin, std::size_t end, const Run& run) {
+  void for_each_kind(const LightSet::Data& set, std::span<const std::uint32_t> light, const CallArrays& call,
+                     std::size_t begin, std::size_t end, const Run& run) {
     const std::span<const std::uint32_t> lights = light.subspan(begin, end - begin);
-    const std::optional<std::size_t> only = sort(set, table, lights);
+    const std::optional<std::size_t> only = sort(set, lights);
     if (only) return run(*only, call, light.data(), begin, end);
-    CallArrays block = points_of(call, table, begin, lights.size());
+    CallArrays block = points_of(call, begin, lights.size());
     for (std::size_t j = 0; j < call.size.per_point; j += most_per_point) {
       block.size.per_point = std::min(most_per_point, call.size.per_point - j);
-      take(call, table, begin, lights.size(), j, block);
+      take(call, begin, lights.size(), j, block);
       std::size_t start = 0;
       for (std::size_t kind = 0; kind < light_kind_count; ++kind) {
         if (counts_[kind] != 0) run(kind, block, lights_.data(), start, start + counts_[kind]);
         start += counts_[kind];
       }
-      give(call, table, begin, lights.size(), j, block);
+      give(call, begin, lights.size(), j, block);
     }
   }
 
  private:
   /// The kind of all the lights, if they are of one.
-  std::optional<std::size_t> sort(const LightSet::Data& set, const KernelTable& table,
-                                  std::span<const std::uint32_t> lights);
-  CallArrays points_of(const CallArrays& call, const KernelTable& table, std::size_t begin, std::size_t size);
-  void take(const CallArrays& call, const KernelTable& table, std::size_t begin, std::size_t size, std::size_t j,
-            CallArrays& block);
-  void give(const CallArrays& call, const KernelTable& table, std::size_t begin, std::size_t size, std::size_t j,
-            const CallArrays& block) const;
+  std::optional<std::size_t> sort(const LightSet::Data& set, std::span<const std::uint32_t> lights);
+  void place(std::span<const std::uint32_t> lights);
+  CallArrays points_of(const CallArrays& call, std::size_t begin, std::size_t size);
+  void take(const CallArrays& call, std::size_t begin, std::size_t size, std::size_t j, CallArrays& block);
+  void give(const CallArrays& call, std::size_t begin, std::size_t size, std::size_t j, const CallArrays& block) const;
 
   /// From a sample of the block's points to the next: an odd number of cache lines, so that all of a packet's samples
   /// do not meet in the same few sets of the cache.
@@ -66,10 +64,10 @@ class KindBlock {
   /// A stride is at most 16 more than the points of a full block, which are an even number of cache lines.
   static constexpr std::size_t most_strides = most_samples + 16 * most_per_point;
 
-  Array<std::size_t, light_kind_count> counts_;
-  Array<std::uint32_t, most_points + widest_packet> order_;   // of the points by kind: where in the block they were …
-  Array<std::uint32_t, most_points> rank_;                    // … and where each has gone
-  Array<std::uint32_t, most_points + widest_packet> lights_;  // in that order
+  Array<std::uint32_t, light_kind_count> counts_;
+  Array<std::uint32_t, most_points> order_;   // of the points by kind: where in the block they were …
+  Array<std::uint32_t, most_points> rank_;    // … and where each has gone
+  Array<std::uint32_t, most_points> lights_;  // in that order
   Array<Array<float, most_points>, 3> point_;
   Array<Array<float, most_strides>, 3> in_;
   Array<Array<float, most_strides>, 8> out_;

@@ -299,6 +299,29 @@ TEST_P(HardLanes, AnEllipseSeenFromAsFarAsCanBeKeepsItsDirectionsWhereDenormalsA
   }
 }
 
+/// From next to the very place that is picked, the squares of a ray are denormal.
+TEST_P(HardLanes, RaysToAPlaceNextToThePointAreOfUnitLengthWhereDenormalsAreFlushed) {
+  PointArrays points;
+  for (float far = 1e-8f; far > 1e-24f; far *= 0.9f) points.push_back({0.62f * far, 0.77f * far, 0.14f * far});
+  const auto expect = [&](float variate, const auto& light, auto map) {
+    const std::vector<float> u(points.size(), variate), v(points.size(), variate);
+    SampleArrays samples(points.size());
+    {
+      const FlushedDenormals flushed;
+      sample(light, map, points.view(), {u, v}, samples.view());
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      ASSERT_TRUE(samples.valid(i) || points.x[i] < 1e-14f);
+      if (!samples.valid(i)) continue;
+      EXPECT_NEAR(length(samples.direction(i)), 1, 1e-6) << "from height " << points.z[i];
+    }
+  };
+  expect(0.5f, Disk{{0, 0, 0}, {0, 0, 1}, 1}, DiskMap::area);
+  expect(0.5f, Ellipse{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, EllipseMap::area);
+  expect(0.0f, Rectangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, RectangleMap::area);
+  expect(0.0f, Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, TriangleMap::area);
+}
+
 HATBOX_FOR_EVERY_ISA(HardLanes);
 
 }  // namespace
