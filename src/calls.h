@@ -6,6 +6,7 @@
 #include "kernel_table.h"
 #include "schedule.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <stdexcept>
@@ -19,6 +20,12 @@ struct CallArrays {
   std::array<const float*, 3> point;
   std::array<const float*, 3> in;  // u, v; a direction's x, y, z; a place's s, t; those there are
   std::array<float*, 8> out;       // of Samples, in its order, where a null is not wanted; pdf; u, v; solid angle
+
+  /// The first that is wanted, if any.
+  const float* any_out() const {
+    const auto wanted = std::ranges::find_if(out, [](const float* array) { return array != nullptr; });
+    return wanted == out.end() ? nullptr : *wanted;
+  }
 };
 
 inline std::array<const float*, 3> pointers(const Points& points) {
@@ -107,13 +114,15 @@ template <class Constants>
 void call_sample(const Schedule& schedule, const MapKernels<Constants>& kernels, const Constants& constants,
                  const Points& points, const Variates& variates, const Samples& out) {
   const CallArrays arrays = checked_sample(points, variates, out);
-  run(schedule, arrays.size.points, arrays.size.per_point, kernels.sample, sample_job(one_light(constants), arrays));
+  run(schedule, arrays.size.points, arrays.size.per_point, kernels.sample, sample_job(one_light(constants), arrays),
+      arrays.any_out());
 }
 
 template <class Constants>
 void call_query(const Schedule& schedule, QueryKernel<Constants> kernel, const Constants& constants,
                 const CallArrays& arrays) {
-  run(schedule, arrays.size.points, arrays.size.per_point, kernel, query_job(one_light(constants), arrays));
+  run(schedule, arrays.size.points, arrays.size.per_point, kernel, query_job(one_light(constants), arrays),
+      arrays.any_out());
 }
 
 template <class Constants>

@@ -25,7 +25,7 @@ void run_carlson(const Schedule& schedule, CarlsonKernel CarlsonKernels::*kernel
     job.in[i] = arguments[i].values.data();
   }
   check_size("out", out, n);
-  run(schedule, n, 1, active_kernels().carlson.*kernel, job);
+  run(schedule, n, 1, active_kernels().carlson.*kernel, job, job.out);
 }
 
 using Values = std::span<const float>;

@@ -58,7 +58,7 @@ void run_sample(const Schedule& schedule, const Segments& segments, const Points
   check_size("pdf", pdf, u.size());
   job.out[0] = t.data();
   job.out[1] = pdf.data();
-  run(schedule, job.segments, job.samples_per_segment, active_kernels().equiangular.sample, job);
+  run(schedule, job.segments, job.samples_per_segment, active_kernels().equiangular.sample, job, job.out[0]);
 }
 
 void run_pdf(const Schedule& schedule, const Segments& segments, const Points& pivots, std::span<const float> t,
@@ -66,7 +66,7 @@ void run_pdf(const Schedule& schedule, const Segments& segments, const Points& p
   SegmentJob job = checked_job(segments, pivots, "t", t);
   check_size("out", out, t.size());
   job.out[0] = out.data();
-  run(schedule, job.segments, job.samples_per_segment, active_kernels().equiangular.pdf, job);
+  run(schedule, job.segments, job.samples_per_segment, active_kernels().equiangular.pdf, job, job.out[0]);
 }
 
 void run_clip(const Schedule& schedule, const Segments& segments, const Points& on_plane, const Directions& normals,
@@ -82,7 +82,7 @@ void run_clip(const Schedule& schedule, const Segments& segments, const Points& 
   job.normal[2] = normals.z.data();
   job.out[0] = t_min.data();
   job.out[1] = t_max.data();
-  run(schedule, n, 1, active_kernels().equiangular.clip, job);
+  run(schedule, n, 1, active_kernels().equiangular.clip, job, job.out[0]);
 }
 
 }  // namespace

@@ -108,11 +108,6 @@ struct KernelTable {
   LightKernels<RectangleConstants, 3> rectangle;
   LightKernels<TriangleConstants, 2> triangle;
   CarlsonKernels carlson;
-  void (*permute)(const float* from, const std::uint32_t* index, float* to, std::size_t n);  // to[i] = from[index[i]]
-  // Lists those of n numbers that lie in [low, high): in order, where they are and which. Returns how many; both lists
-  // may be written up to widest_packet beyond that.
-  std::size_t (*list_between)(const std::uint32_t* numbers, std::size_t n, std::uint32_t low, std::uint32_t high,
-                              std::uint32_t* where, std::uint32_t* which);
   SegmentKernels equiangular;
   // residual[i] = x[i]·y[i] − round(x[i]·y[i]): how the tests see that `fma` is fused. n is a multiple of lanes.
   void (*product_residual)(const float* x, const float* y, float* residual, std::size_t n);

@@ -37,8 +37,6 @@ constexpr KernelTable table = {
     .triangle = {{kernels_of<TriangleArea, TriangleConstants>, kernels_of<TriangleSpherical, TriangleConstants>},
                  solid_angle<TriangleView, TriangleConstants>},
     .carlson = {rf_kernel, rc_kernel, rd_kernel, rj_kernel, ellint_f_kernel, ellint_e_kernel, ellint_pi_kernel},
-    .permute = permute,
-    .list_between = list_between,
     .equiangular = {equiangular_sample, equiangular_pdf, clip_segments},
     .product_residual = product_residual,
 };

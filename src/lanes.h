@@ -15,9 +15,6 @@ HATBOX_INLINE inline void load_rows(const float* const* row, std::size_t at, flo
   for (std::size_t i = 0; i < 4; ++i) out[i] = row[0][at + i];
 }
 
-// The values at from[index[0]], from[index[1]] and so on.
-inline float gather_at(const float* from, const std::uint32_t* index, float) { return from[*index]; }
-
 #if defined(HATBOX_ISA_ARCH) && defined(__AVX512F__)
 HATBOX_INLINE inline void load_rows(const float* const* row, std::size_t at, Packet (&out)[4]) {
   __m512 r[4];
@@ -38,11 +35,7 @@ HATBOX_INLINE inline void load_rows(const float* const* row, std::size_t at, Pac
   out[2] = pairs(high01, high23, false);
   out[3] = pairs(high01, high23, true);
 }
-inline Packet gather_at(const float* from, const std::uint32_t* index, const Packet&) {
-  return _mm512_i32gather_ps(_mm512_loadu_si512(index), from, sizeof(float));
-}
-#elif defined(HATBOX_ISA_ARCH)
-#if defined(__AVX2__)
+#elif defined(HATBOX_ISA_ARCH) && defined(__AVX2__)
 HATBOX_INLINE inline void load_rows(const float* const* row, std::size_t at, Packet (&out)[4]) {
   __m256 r[4];
   for (std::size_t i = 0; i < 4; ++i) {
@@ -59,12 +52,7 @@ HATBOX_INLINE inline void load_rows(const float* const* row, std::size_t at, Pac
   out[2] = pairs(high01, high23, false);
   out[3] = pairs(high01, high23, true);
 }
-inline Packet gather_at(const float* from, const std::uint32_t* index, const Packet&) {
-  __m256i where;
-  std::memcpy(&where, index, sizeof where);
-  return _mm256_i32gather_ps(from, where, sizeof(float));
-}
-#else
+#elif defined(HATBOX_ISA_ARCH)
 HATBOX_INLINE inline void load_rows(const float* const* row, std::size_t at, Packet (&out)[4]) {
   float columns[4][4];
   for (std::size_t i = 0; i < 4; ++i) {
@@ -72,36 +60,7 @@ HATBOX_INLINE inline void load_rows(const float* const* row, std::size_t at, Pac
     out[i] = Packet::load_unaligned(columns[i]);
   }
 }
-inline Packet gather_at(const float* from, const std::uint32_t* index, const Packet&) {
-  float gathered[4];
-  for (std::size_t lane = 0; lane < 4; ++lane) gathered[lane] = from[index[lane]];
-  return Packet::load_unaligned(gathered);
-}
 #endif
-#endif
-
-/// Of list_between (kernel_table.h), what whole packets of numbers there are: all but the last few, or where compilers
-/// do as well, none. Returns how many numbers that was.
-inline std::size_t list_whole_between([[maybe_unused]] const std::uint32_t* numbers, [[maybe_unused]] std::size_t n,
-                                      [[maybe_unused]] std::uint32_t low, [[maybe_unused]] std::uint32_t high,
-                                      [[maybe_unused]] std::uint32_t* where, [[maybe_unused]] std::uint32_t* which,
-                                      [[maybe_unused]] std::size_t& listed) {
-  std::size_t i = 0;
-#if defined(HATBOX_ISA_ARCH) && defined(__AVX512F__)
-  const __m512i first = _mm512_set1_epi32(static_cast<int>(low)),
-                size = _mm512_set1_epi32(static_cast<int>(high - low));
-  __m512i at = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-  for (; i + 16 <= n; i += 16) {
-    const __m512i number = _mm512_loadu_si512(numbers + i);
-    const __mmask16 between = _mm512_cmplt_epu32_mask(_mm512_sub_epi32(number, first), size);
-    _mm512_storeu_si512(where + listed, _mm512_maskz_compress_epi32(between, at));
-    _mm512_storeu_si512(which + listed, _mm512_maskz_compress_epi32(between, number));
-    listed += static_cast<std::size_t>(std::popcount(static_cast<unsigned>(between)));
-    at = _mm512_add_epi32(at, _mm512_set1_epi32(16));
-  }
-#endif
-  return i;
-}
 
 template <class V>
 HATBOX_INLINE inline void load_rows(const float* const* row, std::size_t at, Twin<V> (&out)[4]) {

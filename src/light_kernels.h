@@ -151,23 +151,6 @@ template <template <class> class Map, class Constants>
 inline constexpr MapKernels<Constants> one_way_kernels_of = {sample<Map, Constants>, pdf_of_direction<Map, Constants>,
                                                              pdf_of_place<Map, Constants>, nullptr};
 
-void permute(const float* from, const std::uint32_t* index, float* to, std::size_t n) {
-  for_each_narrow_packet(0, n, [&](const auto& memory, std::size_t i) HATBOX_INLINE {
-    memory.store(to + i, memory.gather(from, index + i));
-  });
-}
-
-std::size_t list_between(const std::uint32_t* numbers, std::size_t n, std::uint32_t low, std::uint32_t high,
-                         std::uint32_t* where, std::uint32_t* which) {
-  std::size_t listed = 0, i = list_whole_between(numbers, n, low, high, where, which, listed);
-  for (; i < n; ++i) {
-    where[listed] = static_cast<std::uint32_t>(i);
-    which[listed] = numbers[i];
-    listed += numbers[i] - low < high - low ? 1u : 0u;
-  }
-  return listed;
-}
-
 void product_residual(const float* x, const float* y, float* residual, std::size_t n) {
   for (std::size_t i = 0; i < n; i += lanes<Packet>) {
     store(residual + i, two_product(load(x + i, Packet()), load(y + i, Packet())).low);

@@ -66,7 +66,7 @@ void for_each_kind(Schedule schedule, const LightSet& set, Indices light, const 
       run(lights, kernels, solid_angle, arrays, begin, end);
     });
   };
-  run_blocks(schedule, call.size.points, per_point, [&](std::size_t begin, std::size_t end) {
+  run_blocks(schedule, call.size.points, per_point, 0, [&](std::size_t begin, std::size_t end) {
     KindBlock& block = workspace.data().of(schedule.parallel ? tbb::this_task_arena::current_thread_index() : 0);
     for (std::size_t i = begin; i < end; i += step) {
       block.for_each_kind(set.data(), light, call, i, std::min(end, i + step), run_kind);

@@ -33,12 +33,6 @@ struct AnyPacket {
     hatbox::HATBOX_ISA::store(padded, value);
     std::memcpy(to, padded, count * sizeof(float));
   }
-  V gather(const float* from, const std::uint32_t* index) const {
-    if (count == lanes<V>) return gather_at(from, index, V());
-    std::uint32_t padded[lanes<V>] = {};
-    std::memcpy(padded, index, count * sizeof(std::uint32_t));
-    return gather_at(from, padded, V());
-  }
   std::size_t count;
 };
 

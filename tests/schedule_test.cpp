@@ -10,7 +10,9 @@
 #include <gtest/gtest.h>
 #include <tbb/task_group.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace hatbox::test {
@@ -62,6 +64,56 @@ TEST(ParallelCalls, BlocksAreNoSmallerThanTheGrain) {
     EXPECT_EQ(block_size(grain, 1) % widest_packet, 0u);
   }
   EXPECT_EQ(block_size(SIZE_MAX, 1), SIZE_MAX / widest_packet * widest_packet);
+}
+
+/// The results after the points that are worked on first begin a cache line; few or none are not worth it.
+TEST(Schedule, LongJobsWriteWholeCacheLines) {
+  alignas(64) float numbers[32] = {};
+  for (std::size_t past = 0; past < 16; ++past) {
+    const std::size_t head = points_before_line(&numbers[past], 4096, 16);
+    EXPECT_LT(head, 16u);
+    EXPECT_EQ((past + head) % 16, 0u);
+    EXPECT_EQ(points_before_line(&numbers[past], 16, 4096), 0u);
+    EXPECT_EQ(points_before_line(&numbers[past], 4096, 1), 0u);
+  }
+  EXPECT_EQ(points_before_line(nullptr, 4096, 16), 0u);
+}
+
+TEST(Schedule, WhereResultsLieChangesNoBits) {
+  constexpr std::size_t n = 2100, k = 16, room = 16;
+  const Disk disk = {{0, 0, 0}, {0, 0, 1}, 1};
+  std::vector<float> x, variate;
+  for (std::size_t i = 0; i < n; ++i) x.push_back(0.001f * static_cast<float>(i));
+  for (std::size_t i = 0; i < n * k; ++i) variate.push_back(static_cast<float>(i * 37 % 4096) * 0x1p-12f);
+  const std::vector<float> z(n, 0.5f);
+  const auto sampled_at = [&](std::size_t past) {
+    std::vector<float> numbers(2 * n * k + room);
+    const std::span<float> pdf = std::span(numbers).subspan(past, n * k),
+                           distance = std::span(numbers).subspan(past + n * k, n * k);
+    sample(disk, DiskMap::ld_radial, {x, x, z}, {variate, variate}, {{}, {}, {}, distance, pdf});
+    numbers.erase(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(past));
+    return numbers;
+  };
+  const std::vector<float> expected = sampled_at(0);
+  for (const std::size_t past : {1u, 3u, 15u}) {
+    const std::vector<float> found = sampled_at(past);
+    for (std::size_t i = 0; i < 2 * n * k; ++i) ASSERT_TRUE(same_bits(found[i], expected[i])) << i << " at " << past;
+  }
+}
+
+TEST(Schedule, EveryPointIsWorkedOnOnce) {
+  for (const bool is_parallel : {false, true}) {
+    for (const std::size_t head : {0u, 1u, 15u}) {
+      for (const std::size_t points : {1024u, 1039u, 5000u}) {
+        std::vector<int> visits(points, 0);
+        run_blocks({.parallel = is_parallel, .grain = 100}, points, 1, head, [&](std::size_t begin, std::size_t end) {
+          EXPECT_TRUE(end == head || begin >= head);
+          for (std::size_t i = begin; i < end; ++i) ++visits[i];  // no two threads have the same ones, if all is well
+        });
+        EXPECT_EQ(visits, std::vector<int>(points, 1)) << head << " of " << points;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ std::vector<float> numbers_of(const Triangle& l) { return numbers_of(l.a, l.b, l
 template <class Light, class Map>
 void exercise_light(Input& input, const Manner& manner, const std::string& kind, const Light& light, const Map& map,
                     bool refused_map) {
-  const bool valid = manner.accepts(light);
+  const bool valid = check(light).empty();
   const Sampler sampler(kind + told(numbers_of(light)), light, map);
   const Samplable judgement(sampler.outline);
   exercise(
@@ -109,11 +109,11 @@ void exercise_kind(Input& input, const Manner& manner, const std::string& kind, 
 
 /// Some lights of a kind; a bad one among them now and then.
 template <class Make>
-auto some(Input& input, const Manner& manner, bool& refused, const Make& make) {
+auto some(Input& input, bool& refused, const Make& make) {
   std::vector<decltype(make(input))> lights;
   for (std::size_t left = input.below(4); left > 0; --left) {
     const auto light = make(input);
-    const bool valid = manner.accepts(light);
+    const bool valid = check(light).empty();
     if (!valid && !input.one_in(32)) continue;
     refused = refused || !valid;
     lights.push_back(light);
@@ -173,10 +173,10 @@ void exercise_table(Input& input, const Manner& manner) {
 
 void exercise_set(Input& input, const Manner& manner) {
   bool refused = false;
-  const auto disks = some(input, manner, refused, disk);
-  const auto ellipses = some(input, manner, refused, ellipse);
-  const auto rectangles = some(input, manner, refused, rectangle);
-  const auto triangles = some(input, manner, refused, triangle);
+  const auto disks = some(input, refused, disk);
+  const auto ellipses = some(input, refused, ellipse);
+  const auto rectangles = some(input, refused, rectangle);
+  const auto triangles = some(input, refused, triangle);
   const LightSet::Maps maps{any_map(input, test::all_disk_maps), any_map(input, test::all_ellipse_maps),
                             any_map(input, test::all_rectangle_maps), any_map(input, test::all_triangle_maps)};
   refused = refused || !exists(test::all_disk_maps, maps.disk) || !exists(test::all_ellipse_maps, maps.ellipse) ||

@@ -24,19 +24,12 @@ struct Manner {
   void run(bool refused, const std::vector<const std::vector<float>*>& outputs, const std::string& what,
            const Call& call) const;
 
-  /// Whether a light is one: where denormals are 0, one with a denormal radius is none.
-  template <class Light>
-  bool accepts(const Light& light) const {
-    const test::FlushedDenormals flushed(flushing);
-    return check(light).empty();
-  }
-
   std::string told() const {
     return std::string(" (") + name(isa) + (flushing ? ", denormals flushed" : "") + (grain ? ", in parallel)" : ")");
   }
 
   Isa isa;
-  bool flushing;
+  bool flushing;  // in all that is done with the input
   test::Grain grain;
 };
 
@@ -45,7 +38,6 @@ void Manner::run(bool refused, const std::vector<const std::vector<float>*>& out
                  const Call& call) const {
   const test::ForcedIsa forced(isa);
   try {
-    const test::FlushedDenormals flushed(flushing);
     call();
   } catch (const std::invalid_argument& error) {
     require(refused, what + " was refused: " + error.what());

@@ -91,7 +91,6 @@ void exercise_equiangular(Input& input, const Manner& manner) {
       equiangular::pdf(segments.view(), segments.place(), t, asked);
     }
   });
-  const test::FlushedDenormals flushed(manner.flushing);  // so that a denormal end is 0 here too
   for (std::size_t i = 0; !refused && i < numbers; ++i) {
     std::vector<float> lane = segments.lane(i % n);
     lane.insert(lane.end(), {u[i], t[i], pdf[i], asked[i]});
@@ -115,7 +114,6 @@ void exercise_clip(Input& input, const Manner& manner) {
       equiangular::clip(segments.view(), segments.place(), {nx, ny, nz}, from, to);
     }
   });
-  const test::FlushedDenormals flushed(manner.flushing);  // so that a denormal end is 0 here too
   for (std::size_t i = 0; !refused && i < n; ++i) {
     std::vector<float> lane = segments.lane(i);
     lane.insert(lane.end(), {nx[i], ny[i], nz[i], from[i], to[i]});
