@@ -1,5 +1,6 @@
 # Fails unless each of OBJECTS, .../hatbox_kernels_<isa>.o, exports its table alone, takes part in no merging by the
-# linker, and asks for no C++ function from outside: that one could be compiled for any instruction set.
+# linker nor in its optimization, and asks for no C++ function from outside: that one could be compiled for any
+# instruction set.
 function(run_tool variable)
   execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
   set(${variable} "${output}" PARENT_SCOPE)
@@ -19,6 +20,11 @@ foreach(object IN LISTS OBJECTS)
   run_tool(groups ${READELF} --wide --section-groups ${object})
   if(groups MATCHES "group section")
     message(SEND_ERROR "${object} has section groups a linker may merge:\n${groups}")
+  endif()
+
+  run_tool(sections ${READELF} --wide --section-headers ${object})
+  if(sections MATCHES "gnu\\.lto")
+    message(SEND_ERROR "${object} has code for a linker to optimize:\n${sections}")
   endif()
 
   run_tool(wanted ${NM} --format=posix --undefined-only ${object})

@@ -3,7 +3,9 @@
 function(hatbox_compile_options target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra -Wconversion -Wshadow $<$<BOOL:${HATBOX_WARNINGS_AS_ERRORS}>:-Werror>
-    -ffp-contract=off)  # what is fused is what the code says, so that compilers agree on every bit
+    # Numbers that are none are looked for, also where the including project has them declared away; and what is fused is
+    # what the code says, so that compilers agree on every bit.
+    -fno-fast-math -ffp-contract=off)
 endfunction()
 
 set(HATBOX_SANITIZERS "" CACHE STRING "Sanitizers, such as address;undefined, that watch the library and the renderer")

@@ -24,15 +24,15 @@ struct AreaRay {
   }
 
   /// Of a light whose plane is at a height, signed along its normal.
-  /// `given`: not finite if what is given for the sample is not.
-  HATBOX_INLINE LightSample<V> sample(const Place<V>& place, V height, const V& unit, V given) const {
+  /// `is_given`: see `given` of light_sample.h.
+  HATBOX_INLINE LightSample<V> sample(const Place<V>& place, V height, const V& unit, V is_given) const {
     LightSample<V> out;
     for (int i = 0; i < 3; ++i) out.direction[i] = l[i] * inverse_distance;
     out.distance = distance * V(unit);
     out.pdf = pdf;
     out.cosine = min(max(-height * inverse_distance, V(-1)), V(1));
     out.place = place;
-    out.valid = honest(clear && is_finite(given + out.distance), out.pdf);
+    out.valid = honest(clear && is_finite(is_given + out.distance), out.pdf);
     return out;
   }
 

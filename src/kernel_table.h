@@ -11,6 +11,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "hatbox must know a NaN from a number: compile it without -ffast-math"
+#endif
+
 namespace hatbox {
 
 /// One call of `sample`: n points, k samples each, outputs that may be null.

@@ -21,6 +21,7 @@ class Permutation {
 
   /// To be called after the last.
   void finish() {
+    static_assert(most == 4);
     if (count_ == 4) move(std::make_index_sequence<4>());
     if (count_ == 3) move(std::make_index_sequence<3>());
     if (count_ == 2) move(std::make_index_sequence<2>());

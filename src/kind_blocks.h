@@ -20,7 +20,8 @@ class KindBlock {
   /// cache. More samples a point than most_per_point are done in several goes, each with a set-up of its own.
   static constexpr std::size_t most_points = 1024, most_samples = 8192, most_per_point = 16;
 
-  /// A multiple of the widest packet, so that only a kind's last packet is a partial one; most_strides counts on it.
+  /// A multiple of the widest packet, so that blocks of one kind, which stay where they are, are whole packets;
+  /// most_strides counts on it.
   static std::size_t points(std::size_t per_point) {
     const std::size_t room = most_samples / std::clamp<std::size_t>(per_point, 1, most_per_point);
     return std::min(most_points, room / widest_packet * widest_packet);

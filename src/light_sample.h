@@ -33,6 +33,12 @@ inline Mask<V> is_finite(V x) {
   return abs(x) < constant<V>(infinity<V>);
 }
 
+/// 0, or no number if one of the variates is not finite. (Their sum may overflow.)
+template <class V>
+inline V given(V u, V v) {
+  return V(0) * u + V(0) * v;
+}
+
 /// The density of a map that is uniform in a solid angle, and whether a lane has one.
 template <class V>
 struct UniformDensity {

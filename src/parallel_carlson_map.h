@@ -53,7 +53,7 @@ class DiskParallelCarlson {
     out.pdf = density_;
     const V y = radius * copysign(at.zeta.sin, across);
     cone_.emit(ellipse_point(w * eta_cos, y, radius * sqrt(at.beta), one_minus_w2 * at.cos2), out);
-    out.valid = valid_ && is_finite(u + v) && is_finite(out.distance);
+    out.valid = valid_ && is_finite(given(u, v) + out.distance);
     return out;
   }
 

@@ -35,7 +35,7 @@ class ParallelMap {
     LightSample<V> out;
     cone_.emit(point_of({select(upper, slices.zeta.cos, -slices.zeta.cos), slices.zeta.sin}, tau), out);
     out.pdf = area_.density() * slices.weight;
-    out.valid = honest(cone_.valid && is_finite(u + v) && is_finite(out.distance), out.pdf);
+    out.valid = honest(cone_.valid && is_finite(given(u, v) + out.distance), out.pdf);
     return out;
   }
 

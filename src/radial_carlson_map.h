@@ -51,7 +51,7 @@ class DiskRadialCarlson {
     LightSample<V> out;
     out.pdf = density_;
     cone_.emit(ellipse_point(quadrant.cos_sign * S * eta.cos, quadrant.sin_sign * S * eta.sin, z, inwards), out);
-    out.valid = valid_ && is_finite(u + v) && is_finite(out.distance);
+    out.valid = valid_ && is_finite(given(u, v) + out.distance);
     return out;
   }
 

@@ -48,7 +48,7 @@ class RadialMap {
     LightSample<V> out;
     out.pdf = density() * (one_plus_h * one_plus_h * shared);
     cone_.emit(q, out);
-    out.valid = honest(cone_.valid && is_finite(u + v) && is_finite(out.distance), out.pdf);
+    out.valid = honest(cone_.valid && is_finite(given(u, v) + out.distance), out.pdf);
     return out;
   }
 

@@ -48,7 +48,7 @@ HATBOX_INLINE inline LightSample<V> RectangleSpherical<V>::sample(V u, V v) cons
   out.pdf = density_.value;
   out.place = view_.place_at(point.x.offset, point.y.offset);
   out.valid =
-      density_.valid && view_.uniform.tells(point.r) && is_finite(u + v) && is_finite(out.distance + point.inverse_r);
+      density_.valid && view_.uniform.tells(point.r) && is_finite(given(u, v) + (out.distance + point.inverse_r));
   return out;
 }
 

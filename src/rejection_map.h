@@ -38,8 +38,7 @@ class DiskRejection {
       taken = chosen(taken.on_disk, taken, candidate(hashed.u, hashed.v));
     }
     LightSample<V> out = emit(taken);
-    out.valid =
-        density_.valid && taken.on_disk && square_.tells(taken.r) && is_finite(u + v) && is_finite(out.distance);
+    out.valid = density_.valid && taken.on_disk && square_.tells(taken.r) && is_finite(given(u, v) + out.distance);
     return out;
   }
 

@@ -39,12 +39,13 @@ void for_each_in_parallel(std::size_t first, std::size_t last, const Body& body)
   tbb::this_task_arena::isolate([&] { tbb::parallel_for(first, last, body, context); });
 }
 
-/// How many points come before the first whose result begins a cache line of the array. They are a piece of work of
-/// their own, so that the packets after them write whole lines: where the caches are too small, half a line goes back
-/// to memory before the other half is written. 0 where that is not worth the while.
+/// How many points come before the first whose result begins a cache line of the array, and with it all of its rows.
+/// They are a piece of work of their own, so that the packets after them write whole lines: where the caches are too
+/// small, half a line goes back to memory before the other half is written. 0 where that is not worth the while.
 inline std::size_t points_before_line(const float* out, std::size_t points, std::size_t per_point) {
-  constexpr std::size_t line = 64, least_points = 1024, least_samples = 32768;
+  constexpr std::size_t line = 64, floats = line / sizeof(float), least_points = 1024, least_samples = 32768;
   if (points < least_points || points * per_point < least_samples) return 0;
+  if (per_point != 1 && points % floats != 0) return 0;  // each row begins elsewhere
   const std::size_t past = reinterpret_cast<std::uintptr_t>(out) % line;
   return (line - past) % line / sizeof(float);
 }
@@ -54,16 +55,18 @@ inline std::size_t points_before_line(const float* out, std::size_t points, std:
 template <class Work>
 void run_blocks(const Schedule& schedule, std::size_t points, std::size_t per_point, std::size_t head,
                 const Work& work) {
-  if (head != 0) work(std::size_t{0}, head);
+  const auto work_on = [&](std::size_t begin, std::size_t end) {
+    if (begin == 0 && head != 0) work(begin, head);
+    work(begin == 0 ? head : begin, end);
+  };
   const std::size_t block = block_size(schedule.grain, per_point);
   if (!schedule.parallel || points <= block) {
-    work(head, points);
+    work_on(std::size_t{0}, points);
     return;
   }
   const std::size_t blocks = (points - head + block - 1) / block;
   for_each_in_parallel(0, blocks, [&](std::size_t i) {
-    const std::size_t begin = head + i * block;
-    work(begin, std::min(points, begin + block));
+    work_on(i == 0 ? 0 : head + i * block, std::min(points, head + (i + 1) * block));
   });
 }
 

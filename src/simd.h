@@ -38,7 +38,7 @@ inline xsimd::batch<float, HATBOX_ISA_ARCH> xsimd::batch<float, HATBOX_ISA_ARCH>
 #endif
 
 // A kernel is one loop, in registers from load to store. Compilers think its larger parts too large to inline; under
-// sanitizers, which make them ten times as large, they are right.
+// g++'s sanitizers, which make them ten times as large, they are right.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define HATBOX_INLINE
 #else

@@ -69,7 +69,7 @@ class TriangleSpherical {
     out.distance = point.distance * V(light.unit);
     out.pdf = density_.value;
     out.place = point.place;
-    out.valid = density_.valid && is_finite(u + v) && is_finite(out.distance);
+    out.valid = density_.valid && is_finite(given(u, v) + out.distance);
     return out;
   }
 

@@ -75,7 +75,7 @@ class RectangleTwoTriangles {
     out.pdf = density_.value;
     const V both = min(point.place.s + point.place.t, V(1));
     out.place = {select(choice.first, both, point.place.s), select(choice.first, point.place.t, both)};
-    out.valid = density_.valid && is_finite(u + v) && is_finite(out.distance);
+    out.valid = density_.valid && is_finite(given(u, v) + out.distance);
     return out;
   }
 

@@ -77,8 +77,18 @@ endfunction()
 hatbox_add_pkg_config_test(package_pkg_config ${prefix} ${kind})
 set_tests_properties(package_pkg_config PROPERTIES FIXTURES_REQUIRED package)
 
-# As part of another project, which asks for a shared library of the scalar kernels, not optimized. The second way finds
-# compiled what the first one needed, and installs it.
+# As part of another project, which asks for a shared library of the slow kernels, not optimized, by flags that would undo
+# what kernels count on. The second way finds compiled what the first one needed, and installs it.
+set(parent_flags "-O0 -ffast-math")
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  string(APPEND parent_flags " -flto")  # clang's asks for a linker's plugin
+endif()
+if(hatbox_is_x86)
+  file(STRINGS /proc/cpuinfo has_avx2 REGEX "^flags.* avx2 ")
+  if(has_avx2)
+    string(APPEND parent_flags " -march=haswell")
+  endif()
+endif()
 set(parent_dir ${CMAKE_CURRENT_BINARY_DIR}/parent)
 set(shared_prefix ${CMAKE_CURRENT_BINARY_DIR}/shared_prefix)
 function(hatbox_add_parent name)
@@ -87,11 +97,16 @@ function(hatbox_add_parent name)
       --build-and-test ${CMAKE_CURRENT_SOURCE_DIR}/parent ${parent_dir}
       --build-generator ${CMAKE_GENERATOR} --build-noclean
       --build-options -DHATBOX_SOURCE_DIR=${PROJECT_SOURCE_DIR} ${how_to_build} -Dxsimd_DIR=${xsimd_DIR}
-        -DBUILD_SHARED_LIBS=ON -DHATBOX_ISAS=scalar -DCMAKE_CXX_FLAGS=-O0 ${ARGN}
+        -DBUILD_SHARED_LIBS=ON -DHATBOX_ISAS=sse4_2 "-DCMAKE_CXX_FLAGS=${parent_flags}" ${ARGN}
       --test-command ${parent_dir}/parent)
 endfunction()
 hatbox_add_parent(fetch_content -DPARENT_FETCHES=ON -DHATBOX_INSTALL=OFF)
 set_tests_properties(parent_fetch_content PROPERTIES FIXTURES_SETUP parent TIMEOUT 600)
+set(parent_kernels ${parent_dir}/_deps/hatbox-build/kernels/hatbox_kernels_scalar.o)
+add_test(NAME parent_kernel_symbols
+  COMMAND ${CMAKE_COMMAND} -DNM=${CMAKE_NM} -DREADELF=${CMAKE_READELF} -DOBJECTS=${parent_kernels}
+          -P ${PROJECT_SOURCE_DIR}/cmake/check_kernel_symbols.cmake)
+set_tests_properties(parent_kernel_symbols PROPERTIES FIXTURES_REQUIRED parent)
 add_test(NAME parent_installs_its_own
   COMMAND ${CMAKE_COMMAND} -DBINARY_DIR=${parent_dir} -DPREFIX=${CMAKE_CURRENT_BINARY_DIR}/parent_prefix
           -P ${scripts_dir}/check_parent_install.cmake)

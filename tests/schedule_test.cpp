@@ -75,29 +75,40 @@ TEST(Schedule, LongJobsWriteWholeCacheLines) {
     EXPECT_EQ((past + head) % 16, 0u);
     EXPECT_EQ(points_before_line(&numbers[past], 16, 4096), 0u);
     EXPECT_EQ(points_before_line(&numbers[past], 4096, 1), 0u);
+    EXPECT_EQ(points_before_line(&numbers[past], 4097, 16), 0u);
+    EXPECT_EQ(points_before_line(&numbers[past], 40001, 1), head);
   }
   EXPECT_EQ(points_before_line(nullptr, 4096, 16), 0u);
 }
 
 TEST(Schedule, WhereResultsLieChangesNoBits) {
-  constexpr std::size_t n = 2100, k = 16, room = 16;
+  constexpr std::size_t n = 2112, k = 16, room = 16;
   const Disk disk = {{0, 0, 0}, {0, 0, 1}, 1};
   std::vector<float> x, variate;
   for (std::size_t i = 0; i < n; ++i) x.push_back(0.001f * static_cast<float>(i));
   for (std::size_t i = 0; i < n * k; ++i) variate.push_back(static_cast<float>(i * 37 % 4096) * 0x1p-12f);
   const std::vector<float> z(n, 0.5f);
-  const auto sampled_at = [&](std::size_t past) {
-    std::vector<float> numbers(2 * n * k + room);
-    const std::span<float> pdf = std::span(numbers).subspan(past, n * k),
-                           distance = std::span(numbers).subspan(past + n * k, n * k);
-    sample(disk, DiskMap::ld_radial, {x, x, z}, {variate, variate}, {{}, {}, {}, distance, pdf});
+  const Points points = {x, x, z};
+  const auto called_at = [&](std::size_t past, bool in_parallel) {
+    std::vector<float> numbers(4 * n * k + room);
+    const auto row = [&](std::size_t i) { return std::span(numbers).subspan(past + i * n * k, n * k); };
+    const Directions directions = {variate, variate, variate};
+    if (in_parallel) {
+      parallel::sample(disk, DiskMap::ld_radial, points, {variate, variate}, {{}, {}, {}, row(0), row(1)}, 100);
+      parallel::invert(disk, DiskMap::ld_radial, points, directions, row(2), row(3));
+    } else {
+      sample(disk, DiskMap::ld_radial, points, {variate, variate}, {{}, {}, {}, row(0), row(1)});
+      invert(disk, DiskMap::ld_radial, points, directions, row(2), row(3));
+    }
     numbers.erase(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(past));
     return numbers;
   };
-  const std::vector<float> expected = sampled_at(0);
-  for (const std::size_t past : {1u, 3u, 15u}) {
-    const std::vector<float> found = sampled_at(past);
-    for (std::size_t i = 0; i < 2 * n * k; ++i) ASSERT_TRUE(same_bits(found[i], expected[i])) << i << " at " << past;
+  const std::vector<float> expected = called_at(0, false);
+  for (const bool in_parallel : {false, true}) {
+    for (const std::size_t past : {0u, 1u, 3u, 15u}) {
+      const std::vector<float> found = called_at(past, in_parallel);
+      for (std::size_t i = 0; i < 4 * n * k; ++i) ASSERT_TRUE(same_bits(found[i], expected[i])) << i << " at " << past;
+    }
   }
 }
 

@@ -39,6 +39,6 @@ bool Samplable::from(const Vec3& point, double least_height) const {
   return least_solid_angle > 1e-30 && least_density > 1e-30;
 }
 
-bool Samplable::by(float u, float v) { return u >= 0 && u < 1 && v >= 0 && v < 1; }
+bool Samplable::by(float u, float v) { return std::isfinite(u) && std::isfinite(v); }
 
 }  // namespace hatbox::test

@@ -16,7 +16,7 @@ class Samplable {
   /// range of floats. And higher than `least_height` light sizes, what a map itself may need.
   bool from(const Vec3& point, double least_height = 0) const;
 
-  /// Whether a pair of variates is of the square.
+  /// Whether a pair of variates is of the square or will be clamped to it.
   static bool by(float u, float v);
 
  private:
