@@ -1,4 +1,5 @@
-// What a LightSet and its calls refuse, and what they ask of memory.
+// What a LightSet and its calls refuse, and what calls ask of memory.
+#include "support/all_samplers.h"
 #include "support/light_sets.h"
 #include "support/workloads.h"
 
@@ -152,6 +153,25 @@ TEST(LightSetMemory, SequentialCallsAllocateNothing) {
     solid_angle(a.set, a.chosen, a.points.view(), a.u, a.workspace);
   }
   EXPECT_EQ(allocations, before);
+}
+
+TEST(LightMemory, SequentialCallsAllocateNothing) {
+  const PointArrays points = make_points(Workload::w1, Pose::canonical, n);
+  const VariateArrays variates = make_variates(n);
+  SampleArrays samples(n);
+  std::vector<float> u(n), v(n);
+  for (const Sampler& sampler : all_samplers(Pose::canonical)) {
+    SCOPED_TRACE(sampler.name);
+    const Directions directions = {samples.columns[0], samples.columns[1], samples.columns[2]};
+    const Places places = {samples.columns[SampleArrays::s], samples.columns[SampleArrays::t]};
+    const std::size_t before = allocations;
+    sampler.sample(points.view(), variates.view(), samples.view(), {});
+    sampler.pdf_of_direction(points.view(), directions, u, {});
+    sampler.pdf_of_place(points.view(), places, u, {});
+    if (sampler.invert) sampler.invert(points.view(), directions, u, v, {});
+    sampler.solid_angle(points.view(), u, {});
+    EXPECT_EQ(allocations, before);
+  }
 }
 #endif
 

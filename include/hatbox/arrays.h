@@ -22,7 +22,8 @@ struct Variates {
   /// @}
 };
 
-/// k·n directions of unit length (not checked), from the shading point towards the light.
+/// k·n directions of unit length (not checked), from the shading point towards the light. (As normals, of any length:
+/// see `equiangular::clip`.)
 struct Directions {
   /// @{
   std::span<const float> x, y, z;  ///< world space

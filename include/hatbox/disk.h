@@ -5,10 +5,10 @@
 /// std::invalid_argument, before anything is written, if spans disagree in length, the light is not one (see `check`),
 /// `map` is no DiskMap, or `rejection` where an inverse is asked for, or HATBOX_ISA no instruction set (isa.h); the
 /// message names the argument and its value. A lane that cannot be sampled (its point in the light's plane or not
-/// finite, its variate not finite, its solid angle not a normal float) gets 0 in every output; no lane gets NaN, an
-/// infinity or a negative density, and none is touched by another. A lane's bits depend on its own inputs alone: not on
-/// its place, on k, on the number of threads, nor (but for sse4_2, see isa.h) on the instruction set. Scaling light and
-/// points together changes nothing but `distance`.
+/// finite, its variate not finite, its solid angle not a normal float) gets 0 in every output (`invert`: -1); no lane
+/// gets NaN, an infinity or a negative density, and none is touched by another. A lane's bits depend on its own inputs
+/// alone: not on its place, on k, on the number of threads, nor (but for sse4_2, see isa.h) on the instruction set.
+/// Scaling light and points by a power of two changes nothing but `distance` and the last places of `pdf`.
 #pragma once
 
 #include <hatbox/arrays.h>
@@ -78,8 +78,8 @@ HATBOX_API void pdf(const Disk& light, DiskMap map, Points points, Places places
 HATBOX_API void invert(const Disk& light, DiskMap map, Points points, Directions directions, std::span<float> u,
                        std::span<float> v);
 
-/// The solid angle of the light from each of the n points, in steradians, in (0, 2π): right to 2e-6, relative, plus
-/// what the rounding of the inputs makes of themselves. `out` has n elements.
+/// The solid angle of the light from each of the n points, in steradians, in (0, 2π), or 0: right to 2e-6, relative,
+/// plus what the rounding of the inputs makes of themselves. `out` has n elements.
 ///
 /// Cost at one a point, in samples by `area`: 3 to 4.
 ///

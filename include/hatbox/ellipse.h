@@ -6,9 +6,10 @@
 /// `map` is no EllipseMap or HATBOX_ISA no instruction set (isa.h); the message names the argument and its value. A
 /// lane that cannot be sampled (its point in the light's plane, or nearer to it than 1e-32 of the longer semi-axis, or
 /// not finite, its variate not finite, its solid angle not a normal float, or further away than 4·10^18 of the shorter
-/// semi-axis) gets 0 in every output; no lane gets NaN, an infinity or a negative density, and none is touched by
-/// another. A lane's bits depend on its own inputs alone: not on its place, on k, on the number of threads, nor (but
-/// for sse4_2, see isa.h) on the instruction set. Scaling light and points together changes nothing but `distance`.
+/// semi-axis) gets 0 in every output (`invert`: -1); no lane gets NaN, an infinity or a negative density, and none is
+/// touched by another. A lane's bits depend on its own inputs alone: not on its place, on k, on the number of threads,
+/// nor (but for sse4_2, see isa.h) on the instruction set. Scaling light and points by a power of two changes nothing
+/// but `distance` and the last places of `pdf`.
 ///
 /// Axes that are not quite perpendicular are made so: the shorter loses its part along the longer. Axes as long as each
 /// other but for the rounding of their coordinates are a circle's, and all calls give what they give for a Disk.
@@ -69,8 +70,8 @@ HATBOX_API void pdf(const Ellipse& light, EllipseMap map, Points points, Places 
 HATBOX_API void invert(const Ellipse& light, EllipseMap map, Points points, Directions directions, std::span<float> u,
                        std::span<float> v);
 
-/// The solid angle of the light from each of the n points, in steradians, in (0, 2π): right to 2e-6, relative, plus
-/// what the rounding of the inputs makes of themselves. `out` has n elements.
+/// The solid angle of the light from each of the n points, in steradians, in (0, 2π), or 0: right to 2e-6, relative,
+/// plus what the rounding of the inputs makes of themselves. `out` has n elements.
 ///
 /// Cost at one a point, in samples by `area`: 7 to 8.
 ///

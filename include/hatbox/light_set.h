@@ -2,9 +2,10 @@
 /// Many lights of mixed kinds: every shading point has its own. The same calls as for one light, with a light index a
 /// point; nobody has to sort anything.
 ///
-/// What disk.h says of a single light's calls holds here, and every lane has the bits of the call for its light alone.
-/// `light` holds n indices, one a point, in any order; all k samples or queries of a point are of its light. One that
-/// is out of range: std::invalid_argument, which names the first such position, and nothing is written.
+/// What disk.h says of a single light's calls holds here, but that the Workspace is one call's at a time and may grow
+/// (and then throw std::bad_alloc). Every lane has the bits of the call for its light alone. `light` holds n indices,
+/// one a point, in any order; all k samples or queries of a point are of its light. One that is out of range:
+/// std::invalid_argument, which names the first such position, and nothing is written.
 #pragma once
 
 #include <hatbox/arrays.h>
@@ -85,7 +86,7 @@ class Workspace {
 
 /// Samples k directions from each of n points to its light, as `sample` of that light does.
 ///
-/// Cost: 1.2 to 1.9 times the calls for each light alone in sets that fit the cache, up to 2.4 times in those of a
+/// Cost: 1.2 to 2 times the calls for each light alone in sets that fit the cache, up to three times in those of a
 /// million. The README's tables have all.
 HATBOX_API void sample(const LightSet& set, std::span<const std::uint32_t> light, Points points, Variates variates,
                        Samples out, Workspace& workspace);

@@ -5,9 +5,10 @@
 /// std::invalid_argument, before anything is written, if spans disagree in length, the light is not one (see `check`),
 /// `map` is no TriangleMap or HATBOX_ISA no instruction set (isa.h); the message names the argument and its value. A
 /// lane that cannot be sampled (its point in the light's plane or not finite, its variate not finite, its solid angle
-/// not a normal float) gets 0 in every output; no lane gets NaN, an infinity or a negative density, and none is touched
-/// by another. A lane's bits depend on its own inputs alone: not on its place, on k, on the number of threads, nor (but
-/// for sse4_2, see isa.h) on the instruction set. Scaling light and points together changes nothing but `distance`.
+/// not a normal float) gets 0 in every output (`invert`: -1); no lane gets NaN, an infinity or a negative density, and
+/// none is touched by another. A lane's bits depend on its own inputs alone: not on its place, on k, on the number of
+/// threads, nor (but for sse4_2, see isa.h) on the instruction set. Scaling light and points by a power of two changes
+/// nothing but `distance` and the last places of `pdf`.
 #pragma once
 
 #include <hatbox/arrays.h>
@@ -37,7 +38,7 @@ enum class TriangleMap {
 /// `spherical` turns about one end of the smallest side as seen from the point. Where another side becomes the
 /// smallest, (u, v) begins to name other directions; for each point the map is one continuous bijection.
 ///
-/// Cost: spherical seven to nine times area sampling at one sample a point, three to four at 16. The README's tables
+/// Cost: spherical seven to nine times area sampling at one sample a point, three to five at 16. The README's tables
 /// have all.
 ///
 /// Source: Arvo 1995, "Stratified Sampling of Spherical Triangles", in the form that src/spherical_triangle.h explains.
@@ -65,8 +66,8 @@ HATBOX_API void pdf(const Triangle& light, TriangleMap map, Points points, Place
 HATBOX_API void invert(const Triangle& light, TriangleMap map, Points points, Directions directions, std::span<float> u,
                        std::span<float> v);
 
-/// The solid angle of the light from each of the n points, in steradians, in (0, 2π): right to 2e-6, relative, plus
-/// what the rounding of the inputs makes of themselves. `out` has n elements.
+/// The solid angle of the light from each of the n points, in steradians, in (0, 2π), or 0: right to 2e-6, relative,
+/// plus what the rounding of the inputs makes of themselves. `out` has n elements.
 ///
 /// Cost at one a point, in samples by `area`: 5.
 ///

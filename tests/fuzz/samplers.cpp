@@ -140,8 +140,9 @@ void ask(const Scene& scene, const std::vector<std::vector<float>>& directions,
 
 void exercise(Input& input, const Manner& manner, const Sampler& sampler, std::size_t points, Refused refused,
               const std::function<Vec3(Input&)>& make_point, const std::function<bool(std::size_t, Vec3)>& samplable) {
-  constexpr std::size_t per_point[] = {0, 1, 1, 2, 3, 9};
-  Scene scene{input, manner, sampler, {}, points * per_point[input.below(std::size(per_point))], refused};
+  constexpr std::size_t per_point[] = {0, 1, 1, 2, 3, 9}, many = 37;  // for a set in several goes
+  const std::size_t k = input.one_in(32) ? many : per_point[input.below(std::size(per_point))];
+  Scene scene{input, manner, sampler, {}, points * k, refused};
   if (input.one_in(16)) scene.numbers += input.below(points + 2);
   for (std::size_t i = 0; i < points; ++i) scene.points.push_back(make_point(input));
   std::vector<float> u, v;

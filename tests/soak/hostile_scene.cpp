@@ -67,6 +67,7 @@ float hostile_variate(Random& random, std::size_t i) {
                            -0.0f,
                            -1.0f,
                            2.0f,
+                           3e38f,
                            std::numeric_limits<float>::infinity(),
                            std::numeric_limits<float>::quiet_NaN()};
   if (i % 16 != 0) return static_cast<float>(random.unit());

@@ -24,7 +24,7 @@ namespace {
 using namespace hatbox;
 using namespace hatbox::test;
 
-constexpr std::size_t lanes_per_call = 1000;  // no multiple of any packet
+constexpr std::size_t lanes_per_call = 2500;  // no multiple of any packet, and of a set more than a block
 
 /// How a host thread calls the library.
 enum class Manner { plain, flushing, in_parallel, in_narrow_arena };
