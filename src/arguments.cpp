@@ -9,8 +9,19 @@
 namespace hatbox {
 namespace {
 
-[[noreturn]] void reject(const char* name, std::size_t size, const std::string& expected) {
+// Messages are made here, apart from what every call asks: calls for a few points take no longer than these questions.
+[[noreturn, gnu::cold, gnu::noinline]] void reject(const char* name, std::size_t size, const std::string& expected) {
   throw std::invalid_argument(std::string(name) + ": has " + std::to_string(size) + " elements, expected " + expected);
+}
+
+[[noreturn, gnu::cold, gnu::noinline]] void reject(const char* name, std::size_t size, std::size_t expected,
+                                                   const char* or_else = "") {
+  reject(name, size, std::to_string(expected) + or_else);
+}
+
+[[noreturn, gnu::cold, gnu::noinline]] void reject_multiple(const char* name, std::size_t count, std::size_t n,
+                                                            const char* of_what) {
+  reject(name, count, "a multiple of the " + std::to_string(n) + " " + of_what);
 }
 
 BatchSize checked_batch(const Points& points, const char* name, std::size_t count) {
@@ -32,17 +43,15 @@ std::string to_string(const Vec3& v) {
 }
 
 void check_size(const char* name, std::span<const float> array, std::size_t expected) {
-  if (array.size() != expected) reject(name, array.size(), std::to_string(expected));
+  if (array.size() != expected) reject(name, array.size(), expected);
 }
 
 void check_size_or_empty(const char* name, std::span<const float> array, std::size_t expected) {
-  if (!array.empty() && array.size() != expected) reject(name, array.size(), std::to_string(expected) + " or none");
+  if (!array.empty() && array.size() != expected) reject(name, array.size(), expected, " or none");
 }
 
 std::size_t checked_multiple(const char* name, std::size_t count, std::size_t n, const char* of_what) {
-  if (n == 0 ? count != 0 : count % n != 0) {
-    reject(name, count, "a multiple of the " + std::to_string(n) + " " + of_what);
-  }
+  if (n == 0 ? count != 0 : count % n != 0) reject_multiple(name, count, n, of_what);
   return n == 0 ? 0 : count / n;
 }
 

@@ -3,7 +3,9 @@
 
 #include <hatbox/lights.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace hatbox {
 
@@ -37,8 +39,10 @@ template <class T>
   low = static_cast<T>(value - double{high});
 }
 
-/// The power of two at or next below a length > 0.
-inline double power_of_two_below(double length) { return std::ldexp(1.0, std::ilogb(length)); }
+/// The power of two at or next below a length > 0 that is a normal double, as those made of floats are: its exponent.
+inline double power_of_two_below(double length) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(length) & 0x7ff0'0000'0000'0000u);
+}
 
 template <class T>
 void set_vector(T (&to)[3], const Double3& v) {
