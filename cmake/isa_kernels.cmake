@@ -42,6 +42,8 @@ function(hatbox_add_isa isa)
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-tree-pta>)
   # Instructions in an order in which chains overlap: only to be had, on x86, by asking; from statements as they stand.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fschedule-insns;-fsched-pressure;-fno-tree-ter>)
+  # FLAGS add to the platform's least CPU, and a user's -march adds nothing.
+  target_compile_options(${target} PRIVATE $<$<BOOL:${hatbox_is_x86}>:-march=x86-64>)
   # A unique symbol would stay global whatever objcopy is told, and what a linker optimizes it does not look at.
   target_compile_options(${target} PRIVATE ${arg_FLAGS} -fno-lto $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR}/include)
@@ -91,25 +93,19 @@ endif()
 
 # THE list, slowest first: what the kernels are compiled with (FLAGS), which xsimd arch they use (ARCH; none: plain
 # float), and all that a CPU and its operating system must offer to run them (CPU, as __builtin_cpu_supports names it).
-# -msse4.2 and everything above it lets the compiler use popcnt too. Flags begin at the platform's least CPU, so that a
-# user's -march adds nothing to a kernel.
-set(hatbox_least_cpu)
-if(hatbox_is_x86)
-  set(hatbox_least_cpu -march=x86-64)
-endif()
-hatbox_add_isa(scalar
-  FLAGS ${hatbox_least_cpu})
+# -msse4.2 and everything above it lets the compiler use popcnt too.
+hatbox_add_isa(scalar)
 if(hatbox_is_x86)
   hatbox_add_isa(sse4_2
-    FLAGS ${hatbox_least_cpu} -msse4.2
+    FLAGS -msse4.2
     ARCH xsimd::sse4_2
     CPU sse4.2 popcnt)
   hatbox_add_isa(avx2
-    FLAGS ${hatbox_least_cpu} -mavx2 -mfma ${hatbox_move_256}
+    FLAGS -mavx2 -mfma ${hatbox_move_256}
     ARCH xsimd::fma3<xsimd::avx2>
     CPU avx2 fma popcnt)
   hatbox_add_isa(avx512
-    FLAGS ${hatbox_least_cpu} -mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx512vl -mavx2 -mfma ${hatbox_move_512}
+    FLAGS -mavx512f -mavx512cd -mavx512dq -mavx512bw -mavx512vl -mavx2 -mfma ${hatbox_move_512}
           ${avx512_header_warnings}
     ARCH xsimd::avx512bw
     CPU avx512f avx512cd avx512dq avx512bw avx512vl avx2 fma popcnt)

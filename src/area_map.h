@@ -57,7 +57,7 @@ class AreaMap {
   HATBOX_INLINE LightSample<V> sample(V u, V v) const {
     const Polar<V> polar = concentric(u, v);
     const Place<V> place = {polar.radius * polar.angle.cos, polar.radius * polar.angle.sin};
-    return to(place).sample(place, height_, light_.radius, given(u, v));
+    return to(place).sample(place, height_, light_.radius, u, v);
   }
 
   V pdf_of_place(const Place<V>& place) const { return to(place).pdf_where(on_unit_disk(place)); }

@@ -17,22 +17,22 @@ struct AreaRay {
     distance = sqrt(distance2);
     const V product = distance * volume;
     // Of squares that have underflowed neither a length nor a direction comes.
-    clear = (product >= constant<V>(smallest_normal<V>)) && (distance2 >= constant<V>(0x1p26 * smallest_normal<V>));
+    clear = (product >= constant<V>(smallest_normal<V>)) && (distance2 >= constant<V>(least_sum_of_products<V>));
     const V shared = V(1) / product;  // one division for 1/distance and for the density, distance³/volume
     inverse_distance = volume * shared;
     pdf = distance2 * (distance2 * shared);
   }
 
   /// Of a light whose plane is at a height, signed along its normal.
-  /// `is_given`: see `given` of light_sample.h.
-  HATBOX_INLINE LightSample<V> sample(const Place<V>& place, V height, const V& unit, V is_given) const {
+  /// u, v: what the place was made of.
+  HATBOX_INLINE LightSample<V> sample(const Place<V>& place, V height, const V& unit, V u, V v) const {
     LightSample<V> out;
     for (int i = 0; i < 3; ++i) out.direction[i] = l[i] * inverse_distance;
     out.distance = distance * V(unit);
     out.pdf = pdf;
     out.cosine = min(max(-height * inverse_distance, V(-1)), V(1));
     out.place = place;
-    out.valid = honest(clear && is_finite(is_given + out.distance), out.pdf);
+    out.valid = honest(clear && is_finite(given(u, v) + out.distance), out.pdf);
     return out;
   }
 

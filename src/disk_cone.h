@@ -101,7 +101,7 @@ HATBOX_INLINE inline DiskCone<V>::DiskCone(const DiskLight<V>& disk, V x, V y, V
   d2_minus_1 = rest.high + (rest.low + (sum.low + (uu.low + vv.low)));
   const V d2 = sum.high;
   // Nearer to the axis one of the squares may have underflowed that still counts.
-  const Mask<V> off_axis = d2 >= constant<V>(0x1p26 * smallest_normal<V>);
+  const Mask<V> off_axis = d2 >= constant<V>(least_sum_of_products<V>);
   d = select(off_axis, sqrt(d2), V(0));
   const V inverse_d = V(1) / select(off_axis, d, V(1));
   t_u = select(off_axis, l.u * inverse_d, V(1));

@@ -99,7 +99,7 @@ HATBOX_INLINE inline Eigen<V> eigen(const EllipseLight<V>& light, V w_u, V w_v, 
   const V product = V(light.ratio) * (w_u * w_v);
   // Nearer to the axis what of these may have underflowed counts, and squares of them did long before.
   const V length = length_of_small(difference, V(2) * product);
-  const Mask<V> circular = !(length >= constant<V>(0x1p26 * smallest_normal<V>));
+  const Mask<V> circular = !(length >= constant<V>(least_sum_of_products<V>));
   const V size = select(circular, V(1), length);
   const V inverse_size = V(1) / size;
   const V large = select(circular, V(1), sqrt(fma(V(0.5) * abs(difference), inverse_size, V(0.5))));

@@ -5,7 +5,6 @@
 #include <utility>
 
 namespace hatbox {
-
 namespace {
 
 /// Brings numbers of arrays into an order: to[i] = from[index[i]], for several arrays at a time, so that the index is

@@ -21,7 +21,7 @@ class RectangleArea {
 
   HATBOX_INLINE LightSample<V> sample(V u, V v) const {
     const Place<V> place = {clamp_variate(u), clamp_variate(v)};
-    return to(place).sample(place, height_, light_.unit, given(u, v));
+    return to(place).sample(place, height_, light_.unit, u, v);
   }
 
   V pdf_of_place(const Place<V>& place) const { return to(place).pdf_where(on_unit_square(place)); }

@@ -56,17 +56,18 @@ template <class Work>
 void run_blocks(const Schedule& schedule, std::size_t points, std::size_t per_point, std::size_t head,
                 const Work& work) {
   const auto work_on = [&](std::size_t begin, std::size_t end) {
-    if (begin == 0 && head != 0) work(begin, head);
-    work(begin == 0 ? head : begin, end);
+    if (begin == head && head != 0) work(std::size_t{0}, head);
+    work(begin, end);
   };
   const std::size_t block = block_size(schedule.grain, per_point);
   if (!schedule.parallel || points <= block) {
-    work_on(std::size_t{0}, points);
+    work_on(head, points);
     return;
   }
   const std::size_t blocks = (points - head + block - 1) / block;
   for_each_in_parallel(0, blocks, [&](std::size_t i) {
-    work_on(i == 0 ? 0 : head + i * block, std::min(points, head + (i + 1) * block));
+    const std::size_t begin = head + i * block;
+    work_on(begin, std::min(points, begin + block));
   });
 }
 

@@ -70,6 +70,9 @@ template <class V>
 inline constexpr double infinity = std::numeric_limits<Scalar<V>>::infinity();
 template <class V>
 inline constexpr double smallest_normal = std::numeric_limits<Scalar<V>>::min();
+/// Of smaller sums of products some that count may have underflowed.
+template <class V>
+inline constexpr double least_sum_of_products = 0x1p26 * smallest_normal<V>;
 template <class V>
 inline constexpr double last_below_one = 1.0 - 0.5 * std::numeric_limits<Scalar<V>>::epsilon();
 

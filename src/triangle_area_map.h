@@ -24,7 +24,7 @@ class TriangleArea {
     const V half = V(0.5) * min(clamped_u, clamped_v);
     const Mask<V> upper = clamped_v > clamped_u;
     const Place<V> place = {select(upper, half, clamped_u - half), select(upper, clamped_v - half, half)};
-    return to(place).sample(place, height_, light_.unit, given(u, v));
+    return to(place).sample(place, height_, light_.unit, u, v);
   }
 
   V pdf_of_place(const Place<V>& place) const { return to(place).pdf_where(on_unit_triangle(place)); }

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -260,11 +261,11 @@ TEST_P(HardLanes, ARectangleSeenAlongAnEdgeKeepsItsDirectionsWhereDenormalsAreFl
   EXPECT_GT(sampled, 5u);
 }
 
-/// Directions to a circle taken for an ellipse, whether denormals are flushed or not. The first `sampled` are to be
-/// there.
-void expect_unit_directions(const PointArrays& points, std::size_t sampled, EllipseMap map) {
-  const Ellipse light = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  const std::vector<float> u(points.size(), 0.17f), v(points.size(), 0.48f);
+/// Whether denormals are flushed or not. The first `sampled` of the points are to be sampled.
+template <class Light, class Map>
+void expect_unit_directions(const Light& light, Map map, const PointArrays& points, std::size_t sampled,
+                            std::array<float, 2> variates) {
+  const std::vector<float> u(points.size(), variates[0]), v(points.size(), variates[1]);
   for (const bool flush : {false, true}) {
     SampleArrays samples(points.size());
     {
@@ -279,11 +280,13 @@ void expect_unit_directions(const PointArrays& points, std::size_t sampled, Elli
   }
 }
 
+constexpr Ellipse circle = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+
 /// Next to an ellipse's centre the squares of its cone's tilt are denormal.
 TEST_P(HardLanes, AnEllipseSeenFromNextToItsCentreKeepsItsDirectionsWhereDenormalsAreFlushed) {
   PointArrays points;
   for (float far = 1e-5f; far > 1e-18f; far *= 0.9f) points.push_back({0.9f * far, 0.4f * far, 0.55f * far});
-  expect_unit_directions(points, points.size(), EllipseMap::ld_radial);
+  expect_unit_directions(circle, EllipseMap::ld_radial, points, points.size(), {0.17f, 0.48f});
 }
 
 /// From as far as there are squares of distances their inverses are denormal.
@@ -295,31 +298,22 @@ TEST_P(HardLanes, AnEllipseSeenFromAsFarAsCanBeKeepsItsDirectionsWhereDenormalsA
       points.push_back({far * way.x, far * way.y, far * way.z});
       if (far <= 4e18f) near = points.size();
     }
-    expect_unit_directions(points, near, EllipseMap::radial);
+    expect_unit_directions(circle, EllipseMap::radial, points, near, {0.17f, 0.48f});
   }
 }
 
 /// From next to the very place that is picked, the squares of a ray are denormal.
 TEST_P(HardLanes, RaysToAPlaceNextToThePointAreOfUnitLengthWhereDenormalsAreFlushed) {
   PointArrays points;
-  for (float far = 1e-8f; far > 1e-24f; far *= 0.9f) points.push_back({0.62f * far, 0.77f * far, 0.14f * far});
-  const auto expect = [&](float variate, const auto& light, auto map) {
-    const std::vector<float> u(points.size(), variate), v(points.size(), variate);
-    SampleArrays samples(points.size());
-    {
-      const FlushedDenormals flushed;
-      sample(light, map, points.view(), {u, v}, samples.view());
-    }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      ASSERT_TRUE(samples.valid(i) || points.x[i] < 1e-14f);
-      if (!samples.valid(i)) continue;
-      EXPECT_NEAR(length(samples.direction(i)), 1, 1e-6) << "from height " << points.z[i];
-    }
-  };
-  expect(0.5f, Disk{{0, 0, 0}, {0, 0, 1}, 1}, DiskMap::area);
-  expect(0.5f, Ellipse{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, EllipseMap::area);
-  expect(0.0f, Rectangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, RectangleMap::area);
-  expect(0.0f, Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, TriangleMap::area);
+  std::size_t apart = 0;
+  for (float far = 1e-8f; far > 1e-24f; far *= 0.9f) {
+    points.push_back({0.62f * far, 0.77f * far, 0.14f * far});
+    if (0.62f * far >= 1e-14f) apart = points.size();
+  }
+  expect_unit_directions(Disk{{0, 0, 0}, {0, 0, 1}, 1}, DiskMap::area, points, apart, {0.5f, 0.5f});
+  expect_unit_directions(circle, EllipseMap::area, points, apart, {0.5f, 0.5f});
+  expect_unit_directions(unit_square, RectangleMap::area, points, apart, {0, 0});
+  expect_unit_directions(right_triangle, TriangleMap::area, points, apart, {0, 0});
 }
 
 HATBOX_FOR_EVERY_ISA(HardLanes);

@@ -74,8 +74,8 @@ float Input::variate() { return one_in(4) ? number() : static_cast<float>(bits()
 
 std::size_t Input::count() {
   constexpr std::size_t counts[] = {0, 1, 2, 7, 8, 9, 15, 16, 17, 31, 33, 40};
-  constexpr std::size_t many =
-      1104;  // of a set more than a block; with many samples a point a job of whole cache lines
+  // Of a set more than a block; with many samples a point a job that writes whole cache lines.
+  constexpr std::size_t many = 1104;
   if (one_in(128)) return many;
   return counts[below(std::size(counts))];
 }
